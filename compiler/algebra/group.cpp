@@ -1,0 +1,192 @@
+// Γ inside a right-angled Coxeter group.
+//
+// Suppose that no exchangeable pair joins two oriented dimensions. Let W be the right-angled Coxeter group on D ∪ {z}
+// whose commuting pairs are those of E and {n, z} for n ∈ N. Then i ↦ i·z (i ∈ D) embeds Γ into W, as the subgroup of
+// the words of even length.
+//
+// It respects the relations: (n·z)² = ε, and for {i, n} ∈ E with n ∈ N, (i·z)(n·z) = i·n, whose square is ε.
+//
+// It is injective. θ(i) = ī for i ∈ O, θ(n) = n for n ∈ N is an automorphism of Γ of order two: {i, n} ∈ E says that
+// n·i·n = ī, hence n·ī·n = i and (ī·n)² = ε. In Γ ⋊ ⟨z⟩, where z·g·z = θ(g), let i' = i·z. Then i'² = i·θ(i) = ε for
+// all i; z·n' = θ(n)·z² = n = n'·z for n ∈ N; and (i'·n')² = (i·θ(n))² = (i·n)² = ε for {i, n} ∈ E with n ∈ N. So
+// i ↦ i', z ↦ z is a homomorphism W → Γ ⋊ ⟨z⟩, and after Γ → W it sends i to i'·z = i.
+//
+// It reaches all even words: i·z, z·i = ī, and i·j = (i·z)(z·j) for i, j ∈ D.
+//
+// Back from W: i' = i·z, so a letter i after p other letters reads i in Γ if p is even and θ(i) if p is odd; z reads
+// nothing. The normal form of Γ is read so from that of W. It is shortest: a word of Γ has as many letters as its image
+// has letters other than z, and reducing only deletes letters. z is W's least letter: it steps aside as early as it
+// can, so that the dimensions come in lexicographic order.
+#include "compiler/algebra/group.h"
+
+#include <algorithm>
+#include <cassert>
+#include <deque>
+#include <set>
+#include <stdexcept>
+
+namespace jrule::algebra {
+
+namespace {
+
+using Generator = RightAngledCoxeterGroup::Generator;
+using GeneratorSet = RightAngledCoxeterGroup::GeneratorSet;
+using Element = RightAngledCoxeterGroup::Element;
+
+constexpr Generator z = 0;
+constexpr Generator generator_of(int dimension) { return static_cast<Generator>(dimension + 1); }
+constexpr std::uint8_t dimension_of(Generator s) { return static_cast<std::uint8_t>(s - 1); }
+static_assert(generator_of(max_dimension) < RightAngledCoxeterGroup::max_generators);
+
+RightAngledCoxeterGroup coxeter_group(Model const& model) {
+  RightAngledCoxeterGroup w;
+  for (auto const& [i, j] : model.exchange) w.commute(generator_of(i), generator_of(j));
+  for (int const d : model.dimensions) {
+    if (!model.is_oriented(d)) w.commute(generator_of(d), z);
+  }
+  return w;
+}
+
+void multiply_by_word(Element& g, Word const& word, Model const& model, RightAngledCoxeterGroup const& w) {
+  for (Letter const letter : word) {
+    assert(model.has(letter.dimension));
+    bool const backwards = letter.conjugate && model.is_oriented(letter.dimension);
+    Generator const i = generator_of(letter.dimension);
+    w.multiply(g, backwards ? z : i);
+    w.multiply(g, backwards ? i : z);
+  }
+}
+
+Element to_coxeter(Word const& word, Model const& model, RightAngledCoxeterGroup const& w) {
+  Element g;
+  multiply_by_word(g, word, model, w);
+  return g;
+}
+
+/// z·g·z for the element g of a word.
+Element to_coxeter_twisted(Word const& word, Model const& model, RightAngledCoxeterGroup const& w) {
+  Element g{z};
+  multiply_by_word(g, word, model, w);
+  w.multiply(g, z);
+  return g;
+}
+
+Word from_coxeter(Element const& g, Model const& model) {
+  Word word;
+  bool odd = false;
+  for (Generator const s : g) {
+    if (s != z) {
+      std::uint8_t const d = dimension_of(s);
+      word.push_back({d, odd && model.is_oriented(d)});
+    }
+    odd = !odd;
+  }
+  assert(!odd);
+  return word;
+}
+
+/// If the elements are words of two letters whose pairs connect a set T of generators, then T; empty if all are ε.
+///
+/// They then generate the even words over T, since (a·b)(b·c) = a·c; and these are the even elements of W that have no
+/// other generator in their normal form, since reducing only deletes letters.
+std::optional<GeneratorSet> connected_pairs(std::vector<Element> const& elements) {
+  std::vector<GeneratorSet> pairs;
+  GeneratorSet all = 0;
+  for (Element const& g : elements) {
+    if (g.empty()) continue;
+    if (g.size() != 2) return std::nullopt;
+    pairs.push_back(RightAngledCoxeterGroup::support(g));
+    all = static_cast<GeneratorSet>(all | pairs.back());
+  }
+  GeneratorSet reached = pairs.empty() ? GeneratorSet{0} : pairs.front();
+  for (std::size_t round = 0; round < pairs.size(); ++round) {
+    for (GeneratorSet const pair : pairs) {
+      if ((pair & reached) != 0) reached = static_cast<GeneratorSet>(reached | pair);
+    }
+  }
+  if (reached != all) return std::nullopt;
+  return all;
+}
+
+/// Is `target` a product of generators, all of whose prefixes are at most `max_length` long? Gives up, with false,
+/// after `max_elements`.
+bool found_by_search(Group const& group, Word const& target, std::vector<Word> const& generators,
+                     std::size_t max_length, std::size_t max_elements) {
+  std::set<Word> seen{Word{}};
+  std::deque<Word> frontier{Word{}};
+  while (!frontier.empty() && !seen.contains(target) && seen.size() < max_elements) {
+    Word const g = frontier.front();
+    frontier.pop_front();
+    for (Word const& generator : generators) {
+      Word next = group.product(g, generator);
+      if (next.size() <= max_length && seen.insert(next).second) frontier.push_back(std::move(next));
+    }
+  }
+  return seen.contains(target);
+}
+
+}  // namespace
+
+Word conjugate(Model const& model, Word const& word) {
+  Word result(word.rbegin(), word.rend());
+  for (Letter& letter : result) letter.conjugate = model.is_oriented(letter.dimension) && !letter.conjugate;
+  return result;
+}
+
+Word concatenate(Word const& a, Word const& b) {
+  Word result = a;
+  result.insert(result.end(), b.begin(), b.end());
+  return result;
+}
+
+std::optional<std::string> Group::undecided(Model const& model) {
+  for (auto const& [i, j] : model.exchange) {
+    if (model.is_oriented(i) && model.is_oriented(j)) {
+      return "the exchangeable dimensions " + std::to_string(i) + " and " + std::to_string(j) + " are both oriented";
+    }
+  }
+  return std::nullopt;
+}
+
+Group::Group(Model model) : model_(std::move(model)), coxeter_(coxeter_group(model_)) {
+  if (auto const reason = undecided(model_)) throw std::invalid_argument(*reason);
+}
+
+Word Group::normal_form(Word const& word) const { return from_coxeter(to_coxeter(word, model_, coxeter_), model_); }
+
+Word Group::product(Word const& a, Word const& b) const { return normal_form(concatenate(a, b)); }
+
+Word Group::inverse(Word const& a) const { return normal_form(conjugate(model_, a)); }
+
+// W = Γ ∪ Γ·z, and conjugation by z, which is θ, permutes the letters of Γ: an element is conjugate to a letter in Γ
+// iff it is in W. There a letter is i·z or z·i, of least length among its conjugates; and all conjugates of least length
+// of an element consist of the same generators.
+bool Group::is_conjugate_to_letter(Word const& word) const {
+  auto const least = coxeter_.cyclically_reduced(to_coxeter(word, model_, coxeter_));
+  return least.size() == 2 && (least[0] == z || least[1] == z);
+}
+
+// Dimensions are the pairs {i, z}, so a set S of them generates the even words over S ∪ {z}. In O-maps the vertex's
+// words j·i (i < j) are z·(j·i)·z in W, for z commutes with j, and with i as well unless i = 1: conjugated by z they
+// are pairs that connect D. So are the words i·j (i < j) of dual O-maps; i·j in O-maps and j·i in dual O-maps are pairs
+// as they are.
+bool Group::in_orbit(Word const& word, OrbitType const& orbit) const {
+  for (auto const read : {to_coxeter, to_coxeter_twisted}) {
+    std::vector<Element> elements;
+    for (Word const& w : orbit.words) elements.push_back(read(w, model_, coxeter_));
+    if (auto const allowed = connected_pairs(elements)) {
+      return (RightAngledCoxeterGroup::support(read(word, model_, coxeter_)) & ~*allowed) == 0;
+    }
+  }
+  Word const target = normal_form(word);
+  std::size_t longest = target.size();
+  std::vector<Word> generators;
+  for (Word const& w : orbit.words) {
+    generators.push_back(normal_form(w));
+    generators.push_back(inverse(w));
+    longest = std::max(longest, generators.back().size());
+  }
+  return found_by_search(*this, target, generators, longest + 4, 20'000);
+}
+
+}  // namespace jrule::algebra

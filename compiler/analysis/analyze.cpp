@@ -1,0 +1,41 @@
+#include "compiler/analysis/analyze.h"
+
+#include <algorithm>
+
+#include "compiler/analysis/closedness.h"
+#include "compiler/analysis/completion.h"
+#include "compiler/analysis/cycles.h"
+#include "compiler/analysis/embeddings.h"
+#include "compiler/analysis/incident_arcs.h"
+#include "compiler/analysis/non_orientation.h"
+
+namespace jrule::analysis {
+
+namespace {
+void append(Refusals& all, Refusals more) {
+  for (Refusal& refusal : more) all.push_back(std::move(refusal));
+}
+}  // namespace
+
+Verdict analyze(ir::RuleScheme const& rule) {
+  Verdict verdict;
+  append(verdict.refusals, check_incident_arcs(rule));
+  if (!verdict.accepted()) return verdict;
+  append(verdict.refusals, check_non_orientation(rule));
+  append(verdict.refusals, check_closedness(rule));
+  Completed const completed = complete(rule);
+  append(verdict.refusals, completed.dead);
+  if (completed.dead.empty()) append(verdict.refusals, check_cycles(completed.rule));
+  if (!verdict.accepted()) return verdict;
+  EmbeddingAnalysis embeddings = analyze_embeddings(completed.rule);
+  append(verdict.refusals, std::move(embeddings.refusals));
+  // Completed arcs are preserved and hold wherever the rest matches: the application needs only the rule as written.
+  verdict.plan = plan_application(rule);
+  verdict.plan.orbits = std::move(embeddings.orbits);
+  std::stable_sort(verdict.plan.orbits.begin(), verdict.plan.orbits.end(), [](OrbitComponent const& a, OrbitComponent const& b) {
+    return std::pair(a.embedding, a.kind) < std::pair(b.embedding, b.kind);
+  });
+  return verdict;
+}
+
+}  // namespace jrule::analysis

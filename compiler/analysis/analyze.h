@@ -1,0 +1,19 @@
+// The verdict on a rule: every condition, and for an accepted rule the plan of its application.
+#pragma once
+
+#include "compiler/analysis/plan.h"
+#include "compiler/analysis/refusal.h"
+
+namespace jrule::analysis {
+
+struct Verdict {
+  Refusals refusals;  ///< empty iff the rule is accepted: then every application turns a map of the model into one
+  Plan plan;          ///< meaningful only if accepted
+  bool accepted() const { return refusals.empty(); }
+};
+
+/// Incident arcs first, since the other conditions need it; then completion, non-orientation, cycles, closedness; then
+/// embeddings. Cost: O(nodes · dimensions²), apart from comparing words.
+Verdict analyze(ir::RuleScheme const& rule);
+
+}  // namespace jrule::analysis

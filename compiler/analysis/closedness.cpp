@@ -1,0 +1,38 @@
+#include "compiler/analysis/closedness.h"
+
+#include <fmt/format.h>
+
+#include "compiler/algebra/group.h"
+#include "compiler/analysis/wording.h"
+
+namespace jrule::analysis {
+
+using source::Code;
+
+Refusals check_closedness(ir::RuleScheme const& rule) {
+  Refusals refusals;
+  if (!rule.model().closed) return refusals;
+  algebra::Group const group(rule.model());
+  std::string const note = fmt::format("in a {} no arc leads from a dart to itself", map_name(rule.model()));
+  for (ir::Arc const& arc : rule.left.arcs) {
+    if (arc.source != arc.target || !arc.word.empty()) continue;
+    refusals.push_back({{.code = Code::dead_arc, .span = arc.span,
+                         .message = fmt::format("no map matches the left side: it asks for {}", describe(rule, arc)), .notes = {note}},
+                        arc.source, arc.dimension, -1});
+  }
+  for (ir::Arc const& arc : rule.right.arcs) {
+    if (arc.source != arc.target || ir::find_same(rule.left, arc)) continue;
+    if (arc.word.empty()) {
+      refusals.push_back({{.code = Code::added_loop, .span = arc.span, .message = fmt::format("the rule adds {}: a loop", describe(rule, arc)), .notes = {note}},
+                          arc.source, arc.dimension, -1});
+    } else if (!group.is_conjugate_to_letter(arc.word)) {
+      refusals.push_back({{.code = Code::unproved_no_loop, .span = arc.span,
+                           .message = fmt::format("the rule adds {}, which is a loop where that path returns to its dart", describe(rule, arc)),
+                           .notes = {note, "only a word conjugate to a single dimension is known to move every dart of a closed map"}},
+                          arc.source, arc.dimension, -1});
+    }
+  }
+  return refusals;
+}
+
+}  // namespace jrule::analysis

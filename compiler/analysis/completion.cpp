@@ -1,0 +1,108 @@
+#include "compiler/analysis/completion.h"
+
+#include <fmt/format.h>
+
+#include "compiler/algebra/group.h"
+#include "compiler/analysis/wording.h"
+
+namespace jrule::analysis {
+
+using source::Code;
+
+namespace {
+
+struct Completion {
+  algebra::Group group;
+  Completed result;
+
+  explicit Completion(ir::RuleScheme const& rule) : group(rule.model()), result{rule, {}} {}
+
+  std::string name(ir::NodeId id) const { return result.rule.nodes[id].name; }
+
+  void add_to_both(ir::Arc arc) {
+    result.rule.left.arcs.push_back(arc);
+    result.rule.right.arcs.push_back(std::move(arc));
+  }
+
+  // Every arc of a non-oriented dimension has its reverse; darts of distinct nodes are distinct.
+  bool complete_reverse() {
+    ir::Table const table(result.rule.nodes.size(), result.rule.left);
+    for (ir::Arc const& arc : result.rule.left.arcs) {
+      int const d = arc.dimension;
+      if (result.rule.model().is_oriented(d)) continue;
+      ir::Arc const* const back = table.out(arc.target, d);
+      ir::Arc const* const into = table.in(arc.source, d);
+      ir::Arc const* const clash = back && back->target != arc.source ? back : into && into->source != arc.target ? into : nullptr;
+      if (clash) {
+        result.dead.push_back({{.code = Code::dead_arc, .span = clash->span,
+                                .message = fmt::format("no map matches the left side: {} cannot stand beside {}", describe(result.rule, *clash), describe(result.rule, arc)),
+                                .labels = {{arc.span, fmt::format("its reverse would lead from `{}` to `{}`", name(arc.target), name(arc.source))}},
+                                .notes = {fmt::format("in a {} the reverse of a {}-arc is the {}-arc of its target (non-orientation; paper, Def. 8)",
+                                                      map_name(result.rule.model()), d, d)}},
+                               arc.source, d, -1});
+        return false;
+      }
+      if (!back) {
+        add_to_both({arc.target, d, group.inverse(arc.word), arc.source, arc.span});
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool complete_cycle(int i, int j) {
+    ir::RuleScheme& rule = result.rule;
+    ir::Table const table(rule.nodes.size(), rule.left);
+    for (ir::NodeId start = 0; start < rule.nodes.size(); ++start) {
+      ir::Arc const* const first = table.out(start, i);
+      ir::Arc const* const second = first ? table.out(first->target, j) : nullptr;
+      ir::Arc const* const third = second ? table.out(second->target, i) : nullptr;
+      if (!third) continue;
+      ir::NodeId const end = third->target;
+      ir::Arc const* const fourth = table.out(end, j);
+      ir::Arc const* const into = table.in(start, j);
+      if (fourth && fourth->target == start) continue;
+      if (fourth || into) {
+        ir::Arc const* const clash = fourth ? fourth : into;
+        rule_out(start, i, j, *first, *second, *third, *clash);
+        return false;
+      }
+      Word const word = group.product(group.product(first->word, second->word), third->word);
+      ir::Arc const arc{end, j, group.inverse(word), start, second->span};
+      ir::Arc const reverse{start, j, word, end, second->span};
+      add_to_both(arc);
+      if (!rule.model().is_oriented(j) && !reverse.same(arc)) add_to_both(reverse);
+      return true;
+    }
+    return false;
+  }
+
+  void rule_out(ir::NodeId start, int i, int j, ir::Arc const& first, ir::Arc const& second, ir::Arc const& third, ir::Arc const& clash) {
+    result.dead.push_back(
+        {{.code = Code::dead_cycle, .span = clash.span,
+          .message = fmt::format("no map matches the left side: the path {}{}{} leads from `{}` to `{}`, so the {}-arc of `{}` has to lead to `{}`", i, j, i,
+                                 name(start), name(third.target), j, name(third.target), name(start)),
+          .labels = {{first.span, fmt::format("{}-arc to `{}`", i, name(first.target))},
+                     {second.span, fmt::format("then the {}-arc to `{}`", j, name(second.target))},
+                     {third.span, fmt::format("then the {}-arc to `{}`", i, name(third.target))}},
+          .notes = {fmt::format("in a {} the path {}{}{}{} returns to every dart (cycles; paper, Def. 9)", map_name(result.rule.model()), i, j, i, j)}},
+         start, i, j});
+  }
+};
+
+}  // namespace
+
+Completed complete(ir::RuleScheme const& rule) {
+  Completion completion(rule);
+  // Each step adds an arc to a node that had none, so this ends.
+  bool changed = true;
+  while (changed && completion.result.dead.empty()) {
+    changed = completion.complete_reverse();
+    for (auto const& [i, j] : rule.model().exchange) {
+      if (!changed && completion.result.dead.empty()) changed = completion.complete_cycle(i, j) || completion.complete_cycle(j, i);
+    }
+  }
+  return std::move(completion.result);
+}
+
+}  // namespace jrule::analysis

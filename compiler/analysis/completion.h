@@ -1,0 +1,17 @@
+// The arcs that the model forces beside those that a left side matches (paper, section 5.2.1).
+#pragma once
+
+#include "compiler/analysis/refusal.h"
+
+namespace jrule::analysis {
+
+/// The rule with the implied arcs added to both sides: the reverse of a preserved single arc of a non-oriented dimension, and
+/// the fourth arc of each iji-path of the left side, {i,j} exchangeable. Only paths of the left side license completion:
+/// completing from the right side would make unsound rules pass. The rule must satisfy the incident-arcs condition.
+struct Completed {
+  ir::RuleScheme rule;
+  Refusals dead;  ///< J033x: no map can match the left side
+};
+Completed complete(ir::RuleScheme const& rule);
+
+}  // namespace jrule::analysis

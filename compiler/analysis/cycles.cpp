@@ -1,0 +1,174 @@
+#include "compiler/analysis/cycles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "compiler/algebra/group.h"
+#include "compiler/analysis/wording.h"
+
+namespace jrule::analysis {
+
+using source::Code;
+
+namespace {
+
+// An alternating path: its arcs in order, its dimensions alternating between i and j.
+using Path = std::vector<ir::Arc const*>;
+
+struct SideView {
+  ir::Side const& side;
+  ir::Side const& other;
+  ir::Table table;
+
+  SideView(std::size_t nodes, ir::Side const& s, ir::Side const& o) : side(s), other(o), table(nodes, s) {}
+  // Added on the right, deleted on the left.
+  bool changed(ir::Arc const& arc) const { return ir::find_same(other, arc) == nullptr; }
+
+  // At most four steps i, j, i, j from a node; shorter where an arc is not there.
+  Path walk(ir::NodeId from, int i, int j) const {
+    Path path;
+    for (int const d : {i, j, i, j}) {
+      ir::Arc const* const arc = table.out(from, d);
+      if (!arc) break;
+      path.push_back(arc);
+      from = arc->target;
+    }
+    return path;
+  }
+
+  // The maximal alternating path of changed arcs that starts with this arc; empty if it starts earlier.
+  Path maximal_from(ir::Arc const& first, int other_dimension) const {
+    ir::Arc const* const before = table.in(first.source, other_dimension);
+    if (before && changed(*before)) return {};
+    Path path;
+    int d = other_dimension;
+    int e = first.dimension;
+    for (ir::Arc const* arc = &first; arc && changed(*arc); arc = table.out(arc->target, d), std::swap(d, e)) path.push_back(arc);
+    return path;
+  }
+};
+
+bool closes(Path const& path) { return path.size() == 4 && path.back()->target == path.front()->source; }
+
+struct CycleCheck {
+  ir::RuleScheme const& rule;
+  algebra::Group group{rule.model()};
+  SideView left{rule.nodes.size(), rule.left, rule.right};
+  SideView right{rule.nodes.size(), rule.right, rule.left};
+  Refusals refusals{};
+  std::set<std::set<ir::Arc const*>> reported{};  // a cycle is reported once, not from each of its nodes
+
+  std::string name(ir::NodeId id) const { return rule.nodes[id].name; }
+
+  Word word_of(Path const& path) const {
+    Word word;
+    for (ir::Arc const* arc : path) word = group.product(word, arc->word);
+    return word;
+  }
+
+  std::string model_note(int i, int j) const {
+    return fmt::format("in a {} the path {}{}{}{} returns to every dart (cycles; paper, Def. 9 and 27)", map_name(rule.model()), i, j, i, j);
+  }
+
+  void label_steps(source::Diagnostic& diagnostic, Path const& path) const {
+    for (std::size_t k = 0; k < path.size(); ++k) {
+      ir::Arc const& arc = *path[k];
+      std::string text = fmt::format("step {}: the {}-arc from `{}` to `{}`", k + 1, arc.dimension, name(arc.source), name(arc.target));
+      if (!arc.word.empty()) text += ", with " + describe(arc.word);
+      diagnostic.notes.push_back(std::move(text));
+    }
+  }
+
+  // Of a failing cycle, the changed arc that carries a word and is written last: there the words usually go wrong.
+  ir::Arc const* culprit(SideView const& view, Path const& path) const {
+    ir::Arc const* best = nullptr;
+    auto const rank = [&](ir::Arc const* arc) { return std::tuple(view.changed(*arc), !arc->word.empty(), arc->span); };
+    for (ir::Arc const* arc : path) {
+      if (!best || rank(best) < rank(arc)) best = arc;
+    }
+    return best;
+  }
+
+  void refuse_cycle(Path const& path, int i, int j) {
+    if (!reported.insert(std::set<ir::Arc const*>(path.begin(), path.end())).second) return;
+    ir::NodeId const start = path.front()->source, end = path.back()->target;
+    ir::Arc const* const at = culprit(right, path);
+    source::Diagnostic diagnostic{.code = Code::open_cycle, .span = at->span, .message = {}};
+    diagnostic.message =
+        start != end ? fmt::format("the path {}{}{}{} from `{}` leads to `{}` and not back", i, j, i, j, name(start), name(end))
+                     : fmt::format("the path {}{}{}{} from a dart of `{}` does not return to it: it leads {} further in the pattern", i, j, i, j, name(start),
+                                   describe(word_of(path)));
+    std::set<source::Span> labelled{at->span};
+    for (ir::Arc const* arc : path) {
+      if (labelled.insert(arc->span).second) diagnostic.labels.push_back({arc->span, describe(rule, *arc)});
+    }
+    diagnostic.notes.push_back(model_note(i, j));
+    label_steps(diagnostic, path);
+    refusals.push_back({std::move(diagnostic), start, i, j});
+  }
+
+  // Is there on `view` a maximal changed path, in no cycle, with the ends, labels and word of this one?
+  bool replaced(Path const& path, SideView const& view, int i, int j) const {
+    ir::Arc const* const first = view.table.out(path.front()->source, path.front()->dimension);
+    if (!first || !view.changed(*first)) return false;
+    int const second = path.front()->dimension == i ? j : i;
+    Path const partner = view.maximal_from(*first, second);
+    return partner.size() == path.size() && partner.back()->target == path.back()->target && word_of(partner) == word_of(path) &&
+           !closes(view.walk(first->source, first->dimension, second));
+  }
+
+  void refuse_path(Path const& path, bool added, int i, int j) {
+    ir::NodeId const start = path.front()->source, end = path.back()->target;
+    std::string labels;
+    for (ir::Arc const* arc : path) labels += static_cast<char>('0' + arc->dimension);
+    std::string along = path.size() == 1 ? describe(rule, *path.front()) : fmt::format("the path {} from `{}` to `{}`", labels, name(start), name(end));
+    if (path.size() > 1 && !word_of(path).empty()) along += " with " + describe(word_of(path));
+    source::Diagnostic diagnostic{.code = added ? Code::incoherent_added_path : Code::incoherent_deleted_path, .span = path.front()->span, .message = {}};
+    diagnostic.message = added ? fmt::format("the rule adds {}, which replaces no deleted path and closes no cycle {}{}{}{}", along, i, j, i, j)
+                               : fmt::format("the rule deletes {} without replacing it, which opens a cycle {}{}{}{}", along, i, j, i, j);
+    std::set<source::Span> labelled{path.front()->span};
+    for (ir::Arc const* arc : path) {
+      if (labelled.insert(arc->span).second) diagnostic.labels.push_back({arc->span, describe(rule, *arc)});
+    }
+    diagnostic.notes.push_back(model_note(i, j));
+    diagnostic.notes.push_back(added ? "the rest of that cycle is not matched and stays as it is, so the added path has to lead where a deleted one led, "
+                                       "with the same labels (coherence; paper, Def. 15)"
+                                     : "the rest of that cycle is not matched and stays as it is, so the right side has to lead there again, with the same "
+                                       "labels (coherence; paper, Def. 15)");
+    refusals.push_back({std::move(diagnostic), start, i, j});
+  }
+
+  void check_paths(SideView const& view, SideView const& other, bool added, int i, int j) {
+    for (ir::Arc const& arc : view.side.arcs) {
+      if ((arc.dimension != i && arc.dimension != j) || !view.changed(arc)) continue;
+      int const d = arc.dimension, e = d == i ? j : i;
+      Path const cycle = view.walk(arc.source, d, e);
+      if (cycle.size() == 4) {
+        // On the left a closed walk is a fact, and completion has refused the others.
+        if (added && (!closes(cycle) || !word_of(cycle).empty())) refuse_cycle(cycle, d, e);
+        continue;
+      }
+      Path const path = view.maximal_from(arc, e);
+      if (path.empty()) continue;  // part of a longer one, which starts elsewhere
+      // A non-oriented path is the same read backwards: report it from its first node only.
+      bool const mirror = path.front()->source > path.back()->target && !rule.model().is_oriented(i) && !rule.model().is_oriented(j);
+      if (!replaced(path, other, i, j) && !mirror) refuse_path(path, added, i, j);
+    }
+  }
+};
+
+}  // namespace
+
+Refusals check_cycles(ir::RuleScheme const& completed) {
+  CycleCheck check{completed};
+  for (auto const& [i, j] : completed.model().exchange) {
+    check.check_paths(check.left, check.right, false, i, j);
+    check.check_paths(check.right, check.left, true, i, j);
+  }
+  return std::move(check.refusals);
+}
+
+}  // namespace jrule::analysis

@@ -1,0 +1,108 @@
+#include "compiler/analysis/incident_arcs.h"
+
+#include <fmt/format.h>
+
+#include "compiler/analysis/wording.h"
+
+namespace jrule::analysis {
+
+using source::Code;
+
+namespace {
+
+struct IncidentArcs {
+  ir::RuleScheme const& rule;
+  ir::Table left{rule.nodes.size(), rule.left};
+  ir::Table right{rule.nodes.size(), rule.right};
+  Refusals refusals{};
+
+  void refuse(Code code, source::Span span, std::string message, std::vector<source::Label> labels, ir::NodeId id, int d, std::string help = {}) {
+    source::Diagnostic diagnostic{.code = code, .span = span, .message = std::move(message), .labels = std::move(labels)};
+    diagnostic.notes.push_back(incident_arcs_note(rule.model(), d));
+    if (!help.empty()) diagnostic.notes.push_back(std::move(help));
+    refusals.push_back({std::move(diagnostic), id, d, -1});
+  }
+
+  // "d-arc", or for an oriented dimension "outgoing d-arc" and "incoming d-arc".
+  std::string arc_name(int d, bool outgoing) const {
+    if (!rule.model().is_oriented(d)) return fmt::format("{}-arc", d);
+    return fmt::format("{} {}-arc", outgoing ? "outgoing" : "incoming", d);
+  }
+
+  bool check_at_most_one(ir::NodeId id, int d) {
+    for (bool const on_left : {true, false}) {
+      ir::Table const& table = on_left ? left : right;
+      for (bool const outgoing : {true, false}) {
+        auto const& arcs = outgoing ? table.all_out(id, d) : table.all_in(id, d);
+        if (arcs.size() < 2) continue;
+        refuse(Code::two_arcs, arcs[1]->span,
+               fmt::format("the {} side gives `{}` {} {}s", on_left ? "left" : "right", rule.nodes[id].name,
+                           arcs.size() == 2 ? "two" : fmt::format("{}", arcs.size()), arc_name(d, outgoing)),
+               {{arcs[0]->span, fmt::format("{} here", describe(rule, *arcs[0]))}}, id, d);
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void check_added(ir::NodeId id, int d) {
+    ir::Node const& node = rule.nodes[id];
+    bool const out = right.out(id, d), in = right.in(id, d);
+    if (out && in) return;
+    std::string const missing = !out && !in ? fmt::format("{}-arc", d) : arc_name(d, !out);
+    refuse(Code::missing_arc, *node.right_span, fmt::format("the right side creates `{}` without {} {}", node.name, !out && in ? "an" : !in && out ? "an" : "a", missing),
+           {{*node.right_span, "this node is added here"}}, id, d,
+           fmt::format("give `{}` a {}-arc: in its decoration, or as `{} -{}- …`", node.name, d, node.name, d));
+  }
+
+  void check_deleted(ir::NodeId id, int d) {
+    ir::Node const& node = rule.nodes[id];
+    bool const out = left.out(id, d), in = left.in(id, d);
+    if (out && in) return;
+    std::string const missing = !out && !in ? fmt::format("{}-arc", d) : arc_name(d, !out);
+    refuse(Code::dangling_node, *node.left_span, fmt::format("the rule deletes `{}`, but the left side does not match its {}", node.name, missing),
+           {{*node.left_span, "this node is not on the right side"}}, id, d,
+           fmt::format("an unmatched {}-arc of a deleted dart would be left dangling", d));
+  }
+
+  void check_preserved(ir::NodeId id, int d) {
+    ir::Node const& node = rule.nodes[id];
+    for (bool const outgoing : {true, false}) {
+      ir::Arc const* const before = outgoing ? left.out(id, d) : left.in(id, d);
+      ir::Arc const* const after = outgoing ? right.out(id, d) : right.in(id, d);
+      if ((before != nullptr) == (after != nullptr)) continue;
+      if (after) {
+        refuse(Code::gained_arc, after->span, fmt::format("`{}` gains {}, but keeps the {} that it has", node.name, describe(rule, *after), arc_name(d, outgoing)),
+               {{*node.left_span, fmt::format("its {} is not matched here", arc_name(d, outgoing))}}, id, d,
+               fmt::format("match the {}-arc of `{}` on the left side, so that the rule replaces it", d, node.name));
+      } else {
+        refuse(Code::lost_arc, *node.right_span, fmt::format("`{}` loses its {} and gets no other", node.name, arc_name(d, outgoing)),
+               {{before->span, fmt::format("{} is matched here", describe(rule, *before))}}, id, d,
+               fmt::format("an arc of the left side that the right side does not repeat is deleted; repeat it, or give `{}` another {}-arc", node.name, d));
+      }
+      return;
+    }
+  }
+};
+
+}  // namespace
+
+Refusals check_incident_arcs(ir::RuleScheme const& rule) {
+  IncidentArcs check{rule};
+  for (ir::NodeId id = 0; id < rule.nodes.size(); ++id) {
+    for (int const d : rule.model().dimensions) {
+      if (!check.check_at_most_one(id, d)) continue;
+      ir::Node const& node = rule.nodes[id];
+      if (node.added()) {
+        check.check_added(id, d);
+      } else if (node.deleted()) {
+        check.check_deleted(id, d);
+      } else {
+        check.check_preserved(id, d);
+      }
+    }
+  }
+  return std::move(check.refusals);
+}
+
+}  // namespace jrule::analysis

@@ -1,0 +1,13 @@
+// The incident-arcs condition I(d) (paper, Def. 22 on the core; Def. 11 and 12).
+#pragma once
+
+#include "compiler/analysis/refusal.h"
+
+namespace jrule::analysis {
+
+/// For every dimension d: an added node has exactly one outgoing and one incoming d-arc on the right; a deleted node exactly
+/// one of each on the left (the dangling condition); a preserved node has an outgoing (incoming) d-arc on the left iff it
+/// has one on the right; no node has two (Def. 11 as printed forgets this). Necessary and sufficient (Theorem 4).
+Refusals check_incident_arcs(ir::RuleScheme const& rule);
+
+}  // namespace jrule::analysis

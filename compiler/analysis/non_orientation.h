@@ -1,0 +1,12 @@
+// The non-orientation condition O(d), d non-oriented (paper, Def. 24).
+#pragma once
+
+#include "compiler/analysis/refusal.h"
+
+namespace jrule::analysis {
+
+/// Each added (deleted) arc of a non-oriented dimension has a reverse that is added (deleted) too, its word equal in Γ to the
+/// conjugate. A single arc may stand only if it is preserved. The rule must satisfy the incident-arcs condition.
+Refusals check_non_orientation(ir::RuleScheme const& rule);
+
+}  // namespace jrule::analysis

@@ -1,0 +1,19 @@
+// Why a rule is refused: the condition that fails, where, and the words for it.
+#pragma once
+
+#include <vector>
+
+#include "compiler/ir/rule_scheme.h"
+#include "compiler/source/diagnostic.h"
+
+namespace jrule::analysis {
+
+struct Refusal {
+  source::Diagnostic diagnostic;
+  ir::NodeId node = 0;  ///< at which the condition fails
+  int i = -1;           ///< the dimension
+  int j = -1;           ///< the second dimension of a cycle
+};
+using Refusals = std::vector<Refusal>;
+
+}  // namespace jrule::analysis

@@ -1,0 +1,33 @@
+#include "compiler/analysis/wording.h"
+
+#include <fmt/format.h>
+
+namespace jrule::analysis {
+
+std::string describe(Word const& word) {
+  if (word.empty()) return "the empty word";
+  std::string text = "the word [";
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    if (i != 0) text += ',';
+    if (word[i].conjugate) text += '~';
+    text += static_cast<char>('0' + word[i].dimension);
+  }
+  return text + ']';
+}
+
+std::string describe(ir::RuleScheme const& rule, ir::Arc const& arc) {
+  std::string text = arc.source == arc.target
+                         ? fmt::format("a {}-arc from `{}` to itself", arc.dimension, rule.nodes[arc.source].name)
+                         : fmt::format("a {}-arc from `{}` to `{}`", arc.dimension, rule.nodes[arc.source].name, rule.nodes[arc.target].name);
+  if (!arc.word.empty()) text += " with " + describe(arc.word);
+  return text;
+}
+
+std::string incident_arcs_note(Model const& model, int d) {
+  if (model.is_oriented(d)) {
+    return fmt::format("in a {} exactly one {}-arc leaves every dart and exactly one enters it (incident arcs; paper, Def. 22)", map_name(model), d);
+  }
+  return fmt::format("in a {} every dart has exactly one {}-arc (incident arcs; paper, Def. 22)", map_name(model), d);
+}
+
+}  // namespace jrule::analysis

@@ -1,0 +1,19 @@
+// The words that several refusals share.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "compiler/ir/rule_scheme.h"
+
+namespace jrule::analysis {
+
+using ir::map_name;
+/// "a 2-arc from `a` to `c` with the word [1,~2]".
+std::string describe(ir::RuleScheme const& rule, ir::Arc const& arc);
+/// "the empty word", "the word [0,1]".
+std::string describe(Word const& word);
+/// "in a 2-G-map every dart has exactly one 2-arc (paper, Def. 22)"
+std::string incident_arcs_note(Model const& model, int d);
+
+}  // namespace jrule::analysis

@@ -1,0 +1,154 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <stdexcept>
+
+#include "compiler/backend/draw/draw.h"
+#include "compiler/backend/interpreter/interpreter.h"
+#include "compiler/driver/arguments.h"
+#include "compiler/driver/compile.h"
+#include "compiler/driver/report.h"
+#include "compiler/driver/selection.h"
+#include "compiler/driver/summary.h"
+#include "jrule/io.h"
+
+namespace jrule::driver {
+
+namespace {
+
+// FILE:RULE or FILE:RULE[2,1]
+struct RuleReference {
+  std::string file, rule;
+  std::vector<int> dimensions;
+};
+
+std::optional<RuleReference> parse_reference(std::string const& text) {
+  std::size_t const colon = text.rfind(':');
+  if (colon == std::string::npos || colon == 0 || colon + 1 == text.size()) return {};
+  RuleReference reference{text.substr(0, colon), text.substr(colon + 1), {}};
+  std::size_t const bracket = reference.rule.find('[');
+  if (bracket == std::string::npos) return reference;
+  if (!reference.rule.ends_with(']')) return {};
+  std::string_view rest = std::string_view(reference.rule).substr(bracket + 1);
+  while (!rest.empty()) {
+    int d = 0;
+    auto const [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), d);
+    if (error != std::errc{} || (*end != ',' && *end != ']')) return {};
+    reference.dimensions.push_back(d);
+    rest.remove_prefix(static_cast<std::size_t>(end - rest.data()) + 1);
+  }
+  reference.rule.resize(bracket);
+  return reference;
+}
+
+Result<Map> read_input(ApplyOptions const& options, ir::RuleScheme const& rule) {
+  if (!options.in.empty()) return read_map(options.in, rule.model(), rule.modeler->embeddings);
+  if (rule.hooks.empty()) return Map(rule.model(), rule.modeler->embeddings);
+  return fail(Error::Kind::bad_input, fmt::format("`{}` is applied to a mesh: give one with `--in`", rule.name));
+}
+
+// The dimension of a map whose rule leaves it open (`on gmap(n)`): the input's.
+std::optional<int> input_dimension(std::string const& path) {
+  if (!path.ends_with(".jmap")) return 2;
+  auto const map = read_jmap(path);
+  return map ? std::optional(map->model().dimension) : std::nullopt;
+}
+
+Result<void> apply_at(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map, std::string const& at, std::vector<Value> const& values,
+                      std::size_t& count) {
+  rewrite::Workspace workspace;
+  std::vector<Dart> hooks;
+  if (rule.hooks.empty()) {
+    if (!at.empty()) return fail(Error::Kind::bad_input, fmt::format("`{}` has no hook: `--at` says nothing here", rule.name));
+  } else if (at.empty() || at == "all") {
+    if (rule.hooks.size() > 1) {
+      return fail(Error::Kind::bad_input, fmt::format("`{}` has {} hooks: give a dart for each, `--at dart:3,dart:17`", rule.name, rule.hooks.size()));
+    }
+    auto const applied = interpreter::apply_everywhere(rule, plan, map, values, workspace);
+    if (!applied) return tl::unexpected(applied.error());
+    count = *applied;
+    return {};
+  } else {
+    auto const selected = select(map, at);
+    if (!selected) return tl::unexpected(selected.error());
+    if (selected->size() != rule.hooks.size()) {
+      return fail(Error::Kind::bad_input, fmt::format("`{}` has {} hook{}, but `--at` selects {} dart{}", rule.name, rule.hooks.size(),
+                                                      rule.hooks.size() == 1 ? "" : "s", selected->size(), selected->size() == 1 ? "" : "s"));
+    }
+    hooks = *selected;
+  }
+  auto const applied = interpreter::apply(rule, plan, map, hooks, values, workspace);
+  if (!applied) return tl::unexpected(applied.error());
+  count = 1;
+  return {};
+}
+
+int report_error(Error const& error) {
+  print_error(error);
+  return error.kind == Error::Kind::not_applicable ? exit_refused : exit_usage;
+}
+
+// The rule among those elaborated already, or one of its dimensions.
+struct Chosen {
+  ir::RuleScheme rule;
+  analysis::Plan plan;
+};
+std::optional<Chosen> choose(Compilation& compilation, RuleReference const& reference, ApplyOptions const& options) {
+  auto const& rules = compilation.program.rules;
+  for (std::size_t i = 0; i < rules.size(); ++i) {
+    if (rules[i].name == reference.rule && reference.dimensions.empty() && compilation.verdicts[i].accepted()) {
+      return Chosen{rules[i], compilation.verdicts[i].plan};
+    }
+  }
+  std::optional<int> const n = input_dimension(options.in);
+  auto rule = sema::instantiate(compilation.modules, reference.rule, reference.dimensions, n, compilation.diagnostics);
+  if (!rule) return {};
+  analysis::Verdict verdict = judge(*rule, compilation.diagnostics);
+  if (!verdict.accepted()) return {};
+  return Chosen{std::move(*rule), std::move(verdict.plan)};
+}
+
+}  // namespace
+
+int apply(ApplyOptions const& options) {
+  auto const reference = parse_reference(options.rule);
+  if (!reference) {
+    print_error(fmt::format("`{}` is not of the form FILE:RULE", options.rule));
+    return exit_usage;
+  }
+  auto const compilation = compile(reference->file, options.common);
+  std::optional<Chosen> chosen;
+  if (!compilation->diagnostics.has_errors()) chosen = choose(*compilation, *reference, options);
+  // Notes on other rules of the file are for `check`.
+  if (compilation->diagnostics.has_errors()) {
+    print(compilation->sources, compilation->diagnostics, options.common);
+    return status(compilation->diagnostics);
+  }
+  ir::RuleScheme const& rule = chosen->rule;
+
+  auto const values = parse_arguments(rule, options.values);
+  if (!values) return report_error(values.error());
+  auto map = read_input(options, rule);
+  if (!map) return report_error(map.error());
+  std::size_t count = 0;
+  if (auto const applied = apply_at(rule, chosen->plan, *map, options.at, *values, count); !applied) return report_error(applied.error());
+  // The analysis has proved that this cannot be; the output is checked all the same, since a fault here must not spread.
+  if (auto const violation = find_violation(*map)) {
+    throw std::logic_error(fmt::format("applying the accepted rule `{}` broke the map: {}", rule.name, violation->text));
+  }
+  if (!options.picture.empty()) {
+    auto const picture = draw::surface_svg(*map);
+    if (!picture) return report_error(picture.error());
+    if (auto const written = write_whole_file(options.picture, *picture); !written) return report_error(written.error());
+  }
+  if (auto const written = write_map(*map, options.out); !written) return report_error(written.error());
+  Summary const summary = summarize(*map);
+  if (options.stats_json) {
+    fmt::print("{}\n", summary_json(summary));
+  } else {
+    fmt::print("{}: applied {}\n{}", rule.name, count == 1 ? "once" : fmt::format("{} times", count), summary_text(summary));
+  }
+  return exit_ok;
+}
+
+}  // namespace jrule::driver

@@ -1,0 +1,108 @@
+// The only file that knows CLI11.
+#include "compiler/driver/command_line.h"
+
+#include <CLI/CLI.hpp>
+
+#include <map>
+
+#include "compiler/driver/commands.h"
+
+namespace jrule::driver {
+
+namespace {
+
+void add_common(CLI::App& app, Common& common) {
+  app.add_option("-I,--import-dir", common.import_dirs, "folder in which imported modules are looked up")->type_name("DIR")->allow_extra_args(false);
+  static std::map<std::string, MessageFormat> const formats{{"human", MessageFormat::human}, {"json", MessageFormat::json}};
+  static std::map<std::string, ColorMode> const colors{{"auto", ColorMode::automatic}, {"always", ColorMode::always}, {"never", ColorMode::never}};
+  app.add_option("--message-format", common.format, "human, or json: one object a line on standard output")
+      ->transform(CLI::Transformer(formats))
+      ->type_name("human|json");
+  app.add_option("--color", common.color, "colour of messages")->transform(CLI::Transformer(colors))->type_name("auto|always|never");
+}
+
+}  // namespace
+
+int run(int argc, char const* const* argv) {
+  CLI::App app("jrule: a compiler for rule schemes on generalized and oriented maps", "jrule");
+  app.set_version_flag("--version", std::string("jrule ") + JRULE_VERSION);
+  app.require_subcommand(1);
+  int status = exit_ok;
+
+  CheckOptions check_options;
+  CLI::App& check_command = *app.add_subcommand("check", "parse, type-check and analyse rules");
+  add_common(check_command, check_options.common);
+  check_command.add_option("FILE", check_options.files, "source files")->required();
+  check_command.callback([&] { status = check(check_options); });
+
+  EmitOptions emit_options;
+  CLI::App& emit_command = *app.add_subcommand("emit", "show a stage of the compilation, or write C++");
+  add_common(emit_command, emit_options.common);
+  emit_command.add_option("STAGE", emit_options.stage, "ast, ir, cpp, dot, svg or certificate")
+      ->required()
+      ->check(CLI::IsMember({"ast", "ir", "cpp", "dot", "svg", "certificate"}));
+  emit_command.add_option("FILE", emit_options.file, "source file")->required();
+  emit_command.add_option("-o,--output", emit_options.directory, "folder to write to instead of standard output")->type_name("DIR");
+  emit_command.add_option("--depfile", emit_options.depfile, "write the files that were read, for the build system")->type_name("FILE");
+  emit_command.add_flag("--write-if-changed", emit_options.write_if_changed, "leave files alone whose content stays the same");
+  emit_command.add_option("--namespace", emit_options.name_space, "C++ namespace of the generated code")->type_name("NAME");
+  emit_command.add_option("--header-prefix", emit_options.header_prefix, "folder in the generated #include")->type_name("DIR");
+  emit_command.callback([&] { status = emit(emit_options); });
+
+  ApplyOptions apply_options;
+  std::string apply_stats;
+  CLI::App& apply_command = *app.add_subcommand("apply", "apply a rule to a mesh");
+  add_common(apply_command, apply_options.common);
+  apply_command.add_option("RULE", apply_options.rule, "FILE:RULE, e.g. surface.jrule:cone")->required();
+  apply_command.add_option("--in", apply_options.in, "mesh: .obj .off .ply .stl .jmap; not for rules that create")->type_name("MESH");
+  apply_command.add_option("--out", apply_options.out, "mesh to write")->type_name("MESH")->required();
+  apply_command.add_option("--at", apply_options.at, "all, dart:N, vertex:N, edge:N, face:N, volume:N; one for each hook: dart:3,dart:17")->type_name("SEL");
+  apply_command.add_option("--picture", apply_options.picture, "draw the result")->type_name("SVG");
+  apply_command.add_option("--stats", apply_stats, "print counts of the result as json")->check(CLI::IsMember({"json"}))->type_name("json");
+  apply_command.add_option("NAME=VALUE", apply_options.values, "parameters of the rule, e.g. apex=0,0,1");
+  apply_command.callback([&] {
+    apply_options.stats_json = !apply_stats.empty();
+    status = apply(apply_options);
+  });
+
+  InfoOptions info_options;
+  std::string info_stats;
+  CLI::App& info_command = *app.add_subcommand("info", "count the cells of a mesh and check it");
+  info_command.add_option("MESH", info_options.mesh, "mesh: .obj .off .ply .stl .jmap")->required();
+  info_command.add_option("--model", info_options.model, "how a surface is read")
+      ->check(CLI::IsMember({"gmap", "omap", "dual_omap", "closed_gmap"}))
+      ->type_name("MODEL");
+  info_command.add_option("--stats", info_stats, "print as json")->check(CLI::IsMember({"json"}))->type_name("json");
+  info_command.callback([&] {
+    info_options.stats_json = !info_stats.empty();
+    status = info(info_options);
+  });
+
+  FormatOptions format_options;
+  CLI::App& format_command = *app.add_subcommand("fmt", "bring sources into the canonical layout");
+  add_common(format_command, format_options.common);
+  format_command.add_flag("--check", format_options.check, "change nothing; exit 1 if a file would change");
+  format_command.add_option("FILE", format_options.files, "source files")->required();
+  format_command.callback([&] { status = format(format_options); });
+
+  ExplainOptions explain_options;
+  CLI::App& explain_command = *app.add_subcommand("explain", "explain the code of a message");
+  explain_command.add_option("CODE", explain_options.code, "e.g. J0302; without it, all codes are listed");
+  explain_command.callback([&] { status = explain(explain_options); });
+
+  for (char const* const name : {"run", "lsp"}) {
+    CLI::App& command = *app.add_subcommand(name, "not yet implemented");
+    command.allow_extras();
+    command.callback([&status, name] { status = not_implemented(name); });
+  }
+
+  try {
+    app.parse(argc, argv);
+  } catch (CLI::ParseError const& error) {
+    // --help and --version come here too, with status 0.
+    return app.exit(error) == 0 ? exit_ok : exit_usage;
+  }
+  return status;
+}
+
+}  // namespace jrule::driver

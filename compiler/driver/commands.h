@@ -1,0 +1,75 @@
+// The subcommands of `jrule`, each in its own file: options in, exit status out. Only this folder prints.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace jrule::driver {
+
+/// Exit statuses (language reference, section 9).
+inline constexpr int exit_ok = 0;
+inline constexpr int exit_refused = 1;   ///< errors in sources, a rule that is refused or not applicable, an invalid map
+inline constexpr int exit_usage = 2;     ///< a wrong command line, a file that cannot be read or written
+inline constexpr int exit_internal = 70; ///< a fault of the compiler
+
+enum class MessageFormat { human, json };
+enum class ColorMode { automatic, always, never };
+
+/// What every command that reads rules takes.
+struct Common {
+  std::vector<std::string> import_dirs;  ///< -I
+  MessageFormat format = MessageFormat::human;
+  ColorMode color = ColorMode::automatic;
+};
+
+struct CheckOptions {
+  Common common;
+  std::vector<std::string> files;
+};
+int check(CheckOptions const& options);
+
+struct EmitOptions {
+  Common common;
+  std::string stage;  ///< ast, ir, cpp, dot, svg, certificate
+  std::string file;
+  std::string directory;  ///< -o; empty: standard output
+  std::string depfile;    ///< a make-style file of what was read; only with -o
+  bool write_if_changed = false;
+  std::string name_space, header_prefix;
+};
+int emit(EmitOptions const& options);
+
+struct ApplyOptions {
+  Common common;
+  std::string rule;  ///< FILE:RULE
+  std::string in, out;
+  std::string at;       ///< empty: `all`
+  std::string picture;  ///< an SVG of the result; empty: none
+  std::vector<std::string> values;  ///< NAME=VALUE
+  bool stats_json = false;
+};
+int apply(ApplyOptions const& options);
+
+struct InfoOptions {
+  std::string mesh;
+  std::string model = "gmap";  ///< for surface formats: gmap, omap, dual_omap, closed_gmap
+  bool stats_json = false;
+};
+int info(InfoOptions const& options);
+
+struct FormatOptions {
+  Common common;
+  std::vector<std::string> files;
+  bool check = false;
+};
+int format(FormatOptions const& options);
+
+struct ExplainOptions {
+  std::string code;  ///< empty: list all
+};
+int explain(ExplainOptions const& options);
+
+/// Commands that are documented but not built yet: says so, with a code.
+int not_implemented(std::string const& command);
+
+}  // namespace jrule::driver

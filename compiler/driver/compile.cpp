@@ -1,0 +1,30 @@
+#include "compiler/driver/compile.h"
+
+#include <cstdlib>
+#include <stdexcept>
+
+namespace jrule::driver {
+
+sema::SearchPath search_path(Common const& common) {
+  char const* const chosen = std::getenv("JRULE_STDLIB");
+  return {chosen ? chosen : JRULE_STDLIB, common.import_dirs};
+}
+
+analysis::Verdict judge(ir::RuleScheme const& rule, source::Diagnostics& diagnostics) {
+  if (auto const fault = ir::verify(rule)) throw std::logic_error("rule " + rule.name + ": " + *fault);
+  analysis::Verdict verdict = analysis::analyze(rule);
+  for (analysis::Refusal const& refusal : verdict.refusals) diagnostics.add(refusal.diagnostic);
+  return verdict;
+}
+
+std::unique_ptr<Compilation> compile(std::string const& path, Common const& common) {
+  auto compilation = std::make_unique<Compilation>();
+  compilation->modules = sema::load(path, search_path(common), compilation->sources, compilation->diagnostics);
+  compilation->program = sema::elaborate(compilation->modules, compilation->diagnostics);
+  for (ir::RuleScheme const& rule : compilation->program.rules) {
+    compilation->verdicts.push_back(judge(rule, compilation->diagnostics));
+  }
+  return compilation;
+}
+
+}  // namespace jrule::driver

@@ -1,0 +1,33 @@
+// A source file through all stages up to the verdicts.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "compiler/analysis/analyze.h"
+#include "compiler/driver/commands.h"
+#include "compiler/sema/elaborate.h"
+
+namespace jrule::driver {
+
+struct Compilation {
+  source::Sources sources;
+  source::Diagnostics diagnostics;
+  sema::Modules modules;
+  ir::Program program;
+  std::vector<analysis::Verdict> verdicts;  ///< of program.rules, one each
+
+  bool read() const { return !modules.all.empty(); }
+};
+
+/// Everything is in the diagnostics, refusals too.
+std::unique_ptr<Compilation> compile(std::string const& path, Common const& common);
+
+/// The verdict on one more rule, its refusals added to the diagnostics.
+analysis::Verdict judge(ir::RuleScheme const& rule, source::Diagnostics& diagnostics);
+
+/// Where imports are looked up: `std` in the folder that JRULE_STDLIB names, else where jrule was built from.
+sema::SearchPath search_path(Common const& common);
+
+}  // namespace jrule::driver

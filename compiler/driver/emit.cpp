@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "compiler/backend/cpp/emit.h"
+#include "compiler/backend/draw/draw.h"
+#include "compiler/driver/compile.h"
+#include "compiler/driver/report.h"
+#include "compiler/syntax/format.h"
+#include "jrule/io.h"
+
+namespace jrule::driver {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Output {
+  std::string name;
+  std::string text;
+};
+
+std::string file_name(std::string const& rule, std::string const& suffix) {
+  std::string name = rule + suffix;
+  for (char& c : name) {
+    if (c == '[' || c == ']' || c == ',') c = '_';
+  }
+  return name;
+}
+
+std::vector<Output> produce(EmitOptions const& options, Compilation& compilation) {
+  std::vector<Output> outputs;
+  ir::Program const& program = compilation.program;
+  if (options.stage == "ast") {
+    outputs.push_back({program.module + ".ast", syntax::dump(compilation.modules.all.back().ast)});
+  } else if (options.stage == "ir") {
+    std::string text;
+    for (auto const& modeler : program.modelers) text += ir::print(*modeler) + "\n";
+    for (ir::RuleScheme const& rule : program.rules) text += ir::print(rule) + "\n";
+    outputs.push_back({program.module + ".ir", std::move(text)});
+  } else if (options.stage == "dot") {
+    for (ir::RuleScheme const& rule : program.rules) outputs.push_back({file_name(rule.name, ".dot"), draw::rule_dot(rule)});
+  } else if (options.stage == "cpp") {
+    std::vector<cpp::Rule> rules;
+    for (std::size_t i = 0; i < program.rules.size(); ++i) rules.push_back({&program.rules[i], &compilation.verdicts[i].plan});
+    for (auto& file : cpp::emit(program, rules, compilation.sources, {options.name_space, options.header_prefix}, compilation.diagnostics)) {
+      outputs.push_back({std::move(file.name), std::move(file.text)});
+    }
+  }
+  return outputs;
+}
+
+std::string escape_for_make(std::string const& path) {
+  std::string text;
+  for (char const c : path) {
+    if (c == ' ' || c == '#') text += '\\';
+    if (c == '$') text += '$';
+    text += c;
+  }
+  return text;
+}
+
+std::string depfile_text(std::vector<std::string> const& targets, std::vector<std::string> const& sources) {
+  std::string text;
+  for (std::string const& target : targets) text += escape_for_make(target) + ' ';
+  text.back() = ':';
+  for (std::string const& source : sources) text += " \\\n  " + escape_for_make(fs::absolute(source).lexically_normal().string());
+  return text + '\n';
+}
+
+bool same_content(std::string const& path, std::string const& text) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return false;
+  std::string const old((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  return old == text;
+}
+
+int write(EmitOptions const& options, Compilation const& compilation, std::vector<Output> const& outputs) {
+  std::error_code error;
+  fs::create_directories(options.directory, error);
+  std::vector<std::string> targets;
+  for (Output const& output : outputs) {
+    std::string const path = (fs::path(options.directory) / output.name).string();
+    targets.push_back(fs::absolute(path).lexically_normal().string());
+    if (options.write_if_changed && same_content(path, output.text)) continue;
+    if (auto const written = write_whole_file(path, output.text); !written) {
+      print_error(written.error());
+      return exit_usage;
+    }
+  }
+  // Last and always: Ninja takes outputs without a depfile for dirty.
+  if (!options.depfile.empty()) {
+    if (auto const written = write_whole_file(options.depfile, depfile_text(targets, compilation.modules.paths)); !written) {
+      print_error(written.error());
+      return exit_usage;
+    }
+  }
+  return exit_ok;
+}
+
+}  // namespace
+
+int emit(EmitOptions const& options) {
+  if (options.stage == "svg" || options.stage == "certificate") return not_implemented("emit " + options.stage);
+  if (options.directory.empty() && (!options.depfile.empty() || options.write_if_changed)) {
+    print_error("`--depfile` and `--write-if-changed` need a folder to write to: `-o DIR`");
+    return exit_usage;
+  }
+  auto const compilation = compile(options.file, options.common);
+  // What a rule looks like can be shown even if it is refused; C++ is printed only for rules that are all accepted.
+  std::vector<Output> outputs;
+  bool const clean = !compilation->diagnostics.has_errors();
+  if (compilation->read() && (clean || options.stage != "cpp")) outputs = produce(options, *compilation);
+  print(compilation->sources, compilation->diagnostics, options.common);
+  int const result = status(compilation->diagnostics);
+  if (options.stage == "cpp" && result != exit_ok) return result;
+  if (!options.directory.empty() && compilation->read()) {
+    int const written = write(options, *compilation, outputs);
+    return written == exit_ok ? result : written;
+  }
+  for (Output const& output : outputs) {
+    if (options.stage == "cpp") fmt::print("// ---- {} ----\n", output.name);
+    fmt::print("{}", output.text);
+  }
+  return result;
+}
+
+int not_implemented(std::string const& command) {
+  source::Diagnostics diagnostics;
+  diagnostics.add({.code = source::Code::stage_not_implemented, .span = {}, .message = fmt::format("`jrule {}` is not yet implemented", command)});
+  print(source::Sources{}, diagnostics, {});
+  return exit_usage;
+}
+
+}  // namespace jrule::driver

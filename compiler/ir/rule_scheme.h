@@ -1,0 +1,188 @@
+// The intermediate representation: everything after sema sees only these values.
+//
+// A rule scheme (paper, Def. 18) is a table: on each side, node s and dimension d lead by at most one arc to a word w and a
+// node t, instantiated as (u, s)·d = (u·w, t) for every pattern dart u (theory: section 2 of the analyzer's
+// specification). Until the incident-arcs condition is checked, a side may hold more than one such arc, so it is stored as
+// a list of directed arcs, and Table is its indexed view. A non-oriented arc is two directed arcs.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "compiler/source/source.h"
+#include "jrule/embedding.h"
+#include "jrule/model.h"
+
+namespace jrule::ir {
+
+using source::Span;
+using NodeId = std::uint32_t;
+
+// ---- Modelers ----
+
+struct Modeler {
+  std::string name;
+  std::string doc;
+  Model model;
+  std::vector<EmbeddingSpec> embeddings;
+  std::vector<std::string> embedding_docs;
+  std::vector<Span> embedding_spans;  ///< the names, where declared
+  std::string module;                 ///< of the declaration; empty for a bare model
+};
+
+// ---- Expressions ----
+
+/// A type of the language: one of the values, a list of them, or a dart.
+struct ExprType {
+  Type element = Type::Real;
+  bool list = false;
+  bool dart = false;
+  bool operator==(ExprType const&) const = default;
+};
+std::string to_string(ExprType const& type);
+
+enum class Builtin : std::uint8_t {
+  add, subtract, multiply, divide, negate,
+  less, less_equal, greater, greater_equal, equal, not_equal, logical_and, logical_or, logical_not,
+  to_real,                                               // Int -> Real, the only implicit conversion
+  vec2, vec3, point2, point3, color,                     // constructors
+  component_0, component_1, component_2,                 // .x .y .z, .r .g .b
+  dot, cross, norm, normalize, midpoint, lerp, distance, area_vector,
+  sqrt, abs, floor, ceil, sin, cos, tan, atan2, pow, exp, log,
+  mean, sum, min, max, count, first, all, any,           // aggregates of lists; min and max also of two numbers
+};
+/// The language's spelling: "+", "midpoint".
+std::string_view spelling(Builtin builtin);
+
+struct Expr;
+using ExprPtr = std::shared_ptr<Expr const>;
+
+struct Constant { Value value; };
+struct ParameterRef { std::size_t index; };
+struct LetRef { std::size_t index; };
+/// The value of an embedding at the dart of a left node, after walking a path (before the rule is applied).
+struct ValueAt { std::size_t embedding; NodeId node; Word path; };
+/// The values over ⟨orbit⟩ of that dart, one for each ⟨by⟩-orbit inside, in breadth-first order.
+struct Collect { std::size_t embedding; NodeId node; Word path; OrbitType orbit; OrbitType by; };
+struct Apply { Builtin function; std::vector<ExprPtr> arguments; };
+struct Conditional { ExprPtr condition, then_value, else_value; };
+
+struct Expr {
+  ExprType type;
+  std::variant<Constant, ParameterRef, LetRef, ValueAt, Collect, Apply, Conditional> value;
+  Span span;
+};
+
+// ---- Rules ----
+
+struct Parameter {
+  std::string name;
+  Type type = Type::Real;
+  std::optional<Value> default_value;
+};
+
+struct Node {
+  std::string name;
+  std::string doc;
+  std::optional<Span> left_span;   ///< its declaration on the left; none for an added node
+  std::optional<Span> right_span;  ///< none for a deleted node
+  std::optional<std::size_t> hook; ///< its position among the hooks
+
+  bool added() const { return !left_span; }
+  bool deleted() const { return !right_span; }
+  bool preserved() const { return left_span && right_span; }
+  Span span() const { return left_span ? *left_span : *right_span; }
+};
+
+struct Arc {
+  NodeId source = 0;
+  int dimension = 0;
+  Word word;  ///< in Γ's normal form, read from source to target
+  NodeId target = 0;
+  Span span;  ///< where it is written: an arc's step, or the element of a decoration
+  /// The same arc of the rule: span apart.
+  bool same(Arc const& other) const {
+    return source == other.source && dimension == other.dimension && word == other.word && target == other.target;
+  }
+};
+
+struct Side {
+  std::vector<Arc> arcs;  ///< in the order of writing; of `s -d- t` first s to t, then the reverse
+};
+
+struct Let {
+  std::string name;
+  ExprPtr value;
+};
+struct Clause {
+  NodeId node;
+  std::size_t embedding;
+  ExprPtr value;
+  Span span;
+};
+
+struct RuleScheme {
+  std::string name;  ///< "cone", "sew[2]"
+  std::string doc;
+  Span span;         ///< of its name
+  std::string module;
+  std::shared_ptr<Modeler const> modeler;
+  std::vector<Parameter> parameters;
+  std::vector<Node> nodes;       ///< left nodes in order of declaration, then added ones
+  std::vector<NodeId> hooks;     ///< in order of declaration; empty iff the left side is empty
+  std::vector<Letter> hook_type; ///< o1 … ok of the first hook's type ⟨o1,…,ok⟩
+  Side left, right;
+  std::vector<ExprPtr> requirements;  ///< of type Bool, evaluated at the hooks before anything changes
+  std::vector<Let> lets;              ///< evaluated once, at the hooks
+  std::vector<Clause> clauses;
+
+  Model const& model() const { return modeler->model; }
+};
+
+/// What a module's files mean: the rules of the root file and the modelers they are on.
+struct Program {
+  std::string module;  ///< the root file's stem
+  std::vector<std::shared_ptr<Modeler const>> modelers;
+  std::vector<RuleScheme> rules;
+};
+
+/// An index of one side: the arcs that leave and enter each node by dimension. Holds pointers into the side, which must
+/// outlive it and not grow.
+class Table {
+ public:
+  Table(std::size_t node_count, Side const& side);
+  /// The first d-arc that leaves (enters) the node; null if none.
+  Arc const* out(NodeId node, int dimension) const;
+  Arc const* in(NodeId node, int dimension) const;
+  /// All of them.
+  std::vector<Arc const*> const& all_out(NodeId node, int dimension) const { return out_[slot(node, dimension)]; }
+  std::vector<Arc const*> const& all_in(NodeId node, int dimension) const { return in_[slot(node, dimension)]; }
+
+ private:
+  std::size_t slot(NodeId node, int dimension) const {
+    return node * static_cast<std::size_t>(max_dimension + 1) + static_cast<std::size_t>(dimension);
+  }
+  std::vector<std::vector<Arc const*>> out_, in_;
+};
+
+/// The arc of `side` with the same ends, dimension and word; null if none.
+Arc const* find_same(Side const& side, Arc const& arc);
+
+/// How messages call a map of the model: "2-G-map", "3-O-map", "map of the model `m`".
+std::string map_name(Model const& model);
+
+/// The textual form, for `jrule emit ir`.
+std::string print(RuleScheme const& rule);
+std::string print(Modeler const& modeler);
+std::string print(Expr const& expr, RuleScheme const& rule);
+
+/// What the stages rely on and sema guarantees: ids in range, words in normal form over the model's letters, nodes on the
+/// sides of their arcs, one hook for each component of the left, typed expressions. None if all holds; else what does not,
+/// which is a fault of the compiler.
+std::optional<std::string> verify(RuleScheme const& rule);
+
+}  // namespace jrule::ir

@@ -1,0 +1,124 @@
+#include <fmt/format.h>
+
+#include "compiler/algebra/group.h"
+#include "compiler/ir/rule_scheme.h"
+
+namespace jrule::ir {
+
+namespace {
+
+using Fault = std::optional<std::string>;
+
+Fault verify_word(algebra::Group const& group, Word const& word) {
+  for (Letter letter : word) {
+    if (!group.model().has(letter.dimension)) return fmt::format("the word {} leaves the model", jrule::to_string(word));
+  }
+  if (group.normal_form(word) != word) return fmt::format("the word {} is not in normal form", jrule::to_string(word));
+  return {};
+}
+
+Fault verify_side(RuleScheme const& rule, algebra::Group const& group, Side const& side, bool left) {
+  for (Arc const& arc : side.arcs) {
+    if (arc.source >= rule.nodes.size() || arc.target >= rule.nodes.size()) return "an arc's node is out of range";
+    for (NodeId id : {arc.source, arc.target}) {
+      Node const& node = rule.nodes[id];
+      if (left ? node.added() : node.deleted()) {
+        return fmt::format("an arc on the {} side meets `{}`, which is not there", left ? "left" : "right", node.name);
+      }
+    }
+    if (!rule.model().has(arc.dimension)) return fmt::format("an arc's dimension {} is not the model's", arc.dimension);
+    if (Fault fault = verify_word(group, arc.word)) return fault;
+  }
+  return {};
+}
+
+// Components of the left side, by the smallest node.
+std::vector<NodeId> left_components(RuleScheme const& rule) {
+  std::vector<NodeId> parent(rule.nodes.size());
+  for (NodeId i = 0; i < parent.size(); ++i) parent[i] = i;
+  auto find = [&](NodeId x) {
+    while (parent[x] != x) x = parent[x] = parent[parent[x]];
+    return x;
+  };
+  for (Arc const& arc : rule.left.arcs) {
+    NodeId const a = find(arc.source), b = find(arc.target);
+    parent[std::max(a, b)] = std::min(a, b);
+  }
+  for (NodeId i = 0; i < parent.size(); ++i) parent[i] = find(i);
+  return parent;
+}
+
+Fault verify_expr(RuleScheme const& rule, Expr const& expr) {
+  struct Visitor {
+    RuleScheme const& rule;
+    Fault node(NodeId id, std::size_t embedding) const {
+      if (id >= rule.nodes.size() || rule.nodes[id].added()) return "an expression reads a node that is not on the left";
+      if (embedding >= rule.modeler->embeddings.size()) return "an expression reads an embedding that is not there";
+      return {};
+    }
+    Fault operator()(Constant const&) const { return {}; }
+    Fault operator()(ParameterRef const& p) const {
+      return p.index < rule.parameters.size() ? Fault{} : "an expression's parameter is out of range";
+    }
+    Fault operator()(LetRef const& l) const {
+      return l.index < rule.lets.size() ? Fault{} : "an expression's let is out of range";
+    }
+    Fault operator()(ValueAt const& v) const { return node(v.node, v.embedding); }
+    Fault operator()(Collect const& c) const { return node(c.node, c.embedding); }
+    Fault operator()(Apply const& a) const {
+      for (ExprPtr const& argument : a.arguments) {
+        if (!argument) return "an argument is missing";
+        if (Fault fault = verify_expr(rule, *argument)) return fault;
+      }
+      return {};
+    }
+    Fault operator()(Conditional const& c) const {
+      for (ExprPtr const& part : {c.condition, c.then_value, c.else_value}) {
+        if (Fault fault = verify_expr(rule, *part)) return fault;
+      }
+      return {};
+    }
+  };
+  return std::visit(Visitor{rule}, expr.value);
+}
+
+}  // namespace
+
+std::optional<std::string> verify(RuleScheme const& rule) {
+  if (!rule.modeler) return "the rule has no modeler";
+  algebra::Group const group(rule.model());
+  if (Fault fault = verify_side(rule, group, rule.left, true)) return fault;
+  if (Fault fault = verify_side(rule, group, rule.right, false)) return fault;
+
+  std::vector<NodeId> const component = left_components(rule);
+  std::vector<int> hooks(rule.nodes.size(), 0);
+  for (std::size_t i = 0; i < rule.hooks.size(); ++i) {
+    NodeId const id = rule.hooks[i];
+    if (id >= rule.nodes.size() || rule.nodes[id].hook != i) return "the list of hooks and the nodes disagree";
+    ++hooks[component[id]];
+  }
+  for (NodeId id = 0; id < rule.nodes.size(); ++id) {
+    Node const& node = rule.nodes[id];
+    if (!node.left_span && !node.right_span) return fmt::format("`{}` is on no side", node.name);
+    if (!node.added() && component[id] == id && hooks[id] != 1) {
+      return fmt::format("the left component of `{}` has {} hooks", node.name, hooks[id]);
+    }
+  }
+  for (Clause const& clause : rule.clauses) {
+    if (clause.node >= rule.nodes.size() || rule.nodes[clause.node].deleted()) return "a clause is on a deleted node";
+    if (clause.embedding >= rule.modeler->embeddings.size()) return "a clause's embedding is out of range";
+    ExprType const expected{rule.modeler->embeddings[clause.embedding].type, false, false};
+    if (clause.value->type != expected) return "a clause's type differs from its embedding's";
+    if (Fault fault = verify_expr(rule, *clause.value)) return fault;
+  }
+  for (Let const& let : rule.lets) {
+    if (Fault fault = verify_expr(rule, *let.value)) return fault;
+  }
+  for (ExprPtr const& requirement : rule.requirements) {
+    if (requirement->type != ExprType{Type::Bool, false, false}) return "a requirement is not a Bool";
+    if (Fault fault = verify_expr(rule, *requirement)) return fault;
+  }
+  return {};
+}
+
+}  // namespace jrule::ir

@@ -1,0 +1,151 @@
+#include "compiler/sema/application.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "compiler/sema/overloads.h"
+
+namespace jrule::sema {
+
+using ir::Builtin;
+using ir::ExprPtr;
+using ir::ExprType;
+using source::Code;
+using source::Diagnostics;
+using source::Label;
+using source::Span;
+
+namespace {
+
+char const* const aggregate_it = "aggregate it: `mean(…)`, `first(…)`";
+
+bool is_point(ExprPtr const& expr) { return expr->type.element == Type::Point2 || expr->type.element == Type::Point3; }
+
+/// What to do instead of arithmetic that points do not have.
+std::vector<std::string> advice(Builtin op, std::vector<ExprPtr> const& operands) {
+  if (op == Builtin::add && std::all_of(operands.begin(), operands.end(), is_point)) {
+    return {"`midpoint(a, b)`, `mean(…)` and `lerp(a, b, t)` mix points"};
+  }
+  bool const scales = op == Builtin::multiply || op == Builtin::divide || op == Builtin::negate;
+  if (scales && std::any_of(operands.begin(), operands.end(), is_point)) {
+    return {"a point is a place and has no multiples; a vector has: `a + t * (b - a)`, which is `lerp(a, b, t)`"};
+  }
+  return {};
+}
+
+/// "it is defined as `dot(Vec2, Vec2)`, `dot(Vec3, Vec3)`"
+std::string definitions(Builtin function) {
+  std::vector<std::string> all;
+  for (Signature const& s : signatures(function)) {
+    std::vector<std::string> parameters;
+    for (ExprType const& type : s.parameters) parameters.push_back(to_string(type));
+    all.push_back(fmt::format("`{}({})`", spelling(function), fmt::join(parameters, ", ")));
+  }
+  return fmt::format("it is defined as {}", fmt::join(all, ", "));
+}
+
+bool is_function(Builtin builtin) { return find_function(std::string(spelling(builtin))).has_value(); }
+
+/// Reports the arguments that are lists where no signature has one, or the reverse.
+bool check_lists(Builtin function, std::vector<ExprPtr> const& arguments, Diagnostics& diagnostics) {
+  bool good = true;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    ExprType const& type = arguments[i]->type;
+    bool const fits = std::any_of(signatures(function).begin(), signatures(function).end(), [&](Signature const& s) {
+      return s.parameters.size() == arguments.size() && s.parameters[i].list == type.list;
+    });
+    if (fits) continue;
+    good = false;
+    if (type.list) {
+      report_list(std::string(spelling(function)), *arguments[i], diagnostics);
+    } else {
+      diagnostics.add({.code = Code::type_mismatch,
+                       .span = arguments[i]->span,
+                       .message = fmt::format("`{}` needs a list, this is {}", spelling(function), described(type)),
+                       .notes = {"a list is what an orbit gives: `<0,1>(a).position`"}});
+    }
+  }
+  return good;
+}
+
+void report_types(Builtin function, Span name, std::vector<ExprPtr> const& arguments, Diagnostics& diagnostics) {
+  std::string types;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    std::string_view const separator = i == 0 ? "" : i + 1 == arguments.size() ? " and " : ", ";
+    types += fmt::format("{}`{}`", separator, to_string(arguments[i]->type));
+  }
+  source::Diagnostic d{.code = Code::no_operator,
+                       .span = name,
+                       .message = fmt::format("`{}` is not defined for {}", spelling(function), types),
+                       .labels = type_labels(arguments),
+                       .notes = advice(function, arguments)};
+  if (is_function(function)) d.notes.push_back(definitions(function));
+  diagnostics.add(std::move(d));
+}
+
+}  // namespace
+
+std::string described(ExprType const& type) {
+  if (type.list) return fmt::format("a list `{}`", to_string(type));
+  return fmt::format("{} `{}`", type == ExprType{Type::Int} ? "an" : "a", to_string(type));
+}
+
+std::vector<Label> type_labels(std::vector<ExprPtr> const& operands) {
+  std::vector<Label> labels;
+  for (ExprPtr const& operand : operands) labels.push_back({operand->span, "this is " + described(operand->type)});
+  return labels;
+}
+
+ExprPtr report_list(std::string const& user, ir::Expr const& argument, Diagnostics& diagnostics) {
+  diagnostics.add({.code = Code::type_mismatch,
+                   .span = argument.span,
+                   .message = fmt::format("`{}` needs one value, this is {}", user, described(argument.type)),
+                   .notes = {aggregate_it}});
+  return {};
+}
+
+ExprPtr convert(ExprPtr value, ExprType expected, Diagnostics& diagnostics) {
+  if (value->type == expected) return value;
+  Span const span = value->span;
+  if (value->type == ExprType{Type::Int} && expected == ExprType{Type::Real}) {
+    return std::make_shared<ir::Expr const>(ir::Expr{expected, ir::Apply{Builtin::to_real, {std::move(value)}}, span});
+  }
+  source::Diagnostic d{.code = Code::type_mismatch,
+                       .span = span,
+                       .message = fmt::format("expected {}, this is {}", described(expected), described(value->type))};
+  if (value->type.list && !expected.list) d.notes.push_back(aggregate_it);
+  diagnostics.add(std::move(d));
+  return {};
+}
+
+bool check_argument_count(Builtin function, Span name, std::size_t count, Diagnostics& diagnostics) {
+  std::vector<std::size_t> counts;
+  for (Signature const& s : signatures(function)) counts.push_back(s.parameters.size());
+  if (std::find(counts.begin(), counts.end(), count) != counts.end()) return true;
+  auto const [least, most] = std::minmax_element(counts.begin(), counts.end());
+  std::string const wanted = *least == *most ? fmt::format("{}", *least) : fmt::format("{} or {}", *least, *most);
+  diagnostics.add({.code = Code::argument_count,
+                   .span = name,
+                   .message = fmt::format("`{}` takes {} argument{}, not {}", spelling(function), wanted,
+                                          *most == 1 ? "" : "s", count),
+                   .notes = {definitions(function)}});
+  return false;
+}
+
+ExprPtr apply(Builtin function, Span name, std::vector<ExprPtr> arguments, Span span, Diagnostics& diagnostics) {
+  std::vector<ExprType> types;
+  for (ExprPtr const& argument : arguments) types.push_back(argument->type);
+  Signature const* const signature = find_signature(function, types);
+  if (!signature) {
+    if (check_lists(function, arguments, diagnostics)) report_types(function, name, arguments, diagnostics);
+    return {};
+  }
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    arguments[i] = convert(std::move(arguments[i]), signature->parameters[i], diagnostics);
+  }
+  return std::make_shared<ir::Expr const>(ir::Expr{signature->result, ir::Apply{function, std::move(arguments)}, span});
+}
+
+}  // namespace jrule::sema

@@ -1,0 +1,22 @@
+// Names resolved, types checked, dimension parameters replaced: from modules to rule schemes.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/ir/rule_scheme.h"
+#include "compiler/sema/modules.h"
+
+namespace jrule::sema {
+
+/// The modelers and rules of the root module. Every item with an error is reported and left out, the others are complete. A
+/// rule with dimension parameters is elaborated where it is used (see instantiate); J0229 says so.
+ir::Program elaborate(Modules const& modules, source::Diagnostics& diagnostics);
+
+/// One rule of the loaded modules with its dimension parameters replaced: `sew[2]` is ("sew", {2}). On a bare model whose
+/// dimension is a parameter (`on gmap(n)`), that takes the value `n`. None if anything was reported.
+std::optional<ir::RuleScheme> instantiate(Modules const& modules, std::string const& name, std::vector<int> const& dimensions,
+                                          std::optional<int> n, source::Diagnostics& diagnostics);
+
+}  // namespace jrule::sema

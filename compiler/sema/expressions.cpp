@@ -1,0 +1,426 @@
+#include "compiler/sema/expressions.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <stdexcept>
+
+#include "compiler/ir/evaluate.h"
+#include "compiler/sema/application.h"
+#include "compiler/sema/names.h"
+#include "compiler/sema/overloads.h"
+
+namespace jrule::sema {
+
+using ir::Builtin;
+using ir::ExprPtr;
+using ir::ExprType;
+using source::Code;
+using source::Diagnostics;
+using source::Label;
+using source::Span;
+
+namespace {
+
+constexpr ExprType boolean{Type::Bool}, real{Type::Real}, integer{Type::Int};
+
+template <class Node>
+ExprPtr make(ExprType type, Node node, Span span) {
+  return std::make_shared<ir::Expr const>(ir::Expr{type, std::move(node), span});
+}
+
+Builtin builtin_of(ast::BinaryOp op) {
+  // In the order of ast::BinaryOp.
+  static constexpr std::array builtins{
+      Builtin::add,     Builtin::subtract,   Builtin::multiply, Builtin::divide,
+      Builtin::less,    Builtin::less_equal, Builtin::greater,  Builtin::greater_equal,
+      Builtin::equal,   Builtin::not_equal,  Builtin::logical_and, Builtin::logical_or};
+  static_assert(builtins.size() == static_cast<std::size_t>(ast::BinaryOp::logical_or) + 1);
+  return builtins[static_cast<std::size_t>(op)];
+}
+
+/// The generators of ⟨a ∩ b⟩: those of each that lie in the other. Exact for sets of dimensions.
+OrbitType intersection(algebra::Group const& group, OrbitType const& a, OrbitType const& b) {
+  OrbitType result;
+  auto const add_common = [&](OrbitType const& from, OrbitType const& other) {
+    for (Word const& written : from.words) {
+      Word word = group.normal_form(written);
+      bool const known = std::any_of(result.words.begin(), result.words.end(),
+                                     [&](Word const& w) { return w == word || w == group.inverse(word); });
+      if (!word.empty() && !known && group.in_orbit(word, other)) result.words.push_back(std::move(word));
+    }
+  };
+  add_common(a, b);
+  add_common(b, a);
+  return result;
+}
+
+// Recursive: the parser bounds the depth of an expression.
+class Checker {
+ public:
+  Checker(ExprContext const& context, Diagnostics& diagnostics) : context_(context), diagnostics_(diagnostics) {}
+
+  /// The typed value of the expression; null, reported, if it is none.
+  ExprPtr check(ast::Expr const& expr) {
+    return std::visit([&](auto const& node) { return check(node, expr.span); }, expr.value);
+  }
+
+ private:
+  /// A left node's dart after a walk.
+  struct Dart {
+    ir::NodeId node;
+    Word path;
+  };
+  struct Orbit {
+    Dart dart;
+    OrbitType type;
+  };
+  struct Pi {};
+  struct NodeName {
+    ir::NodeId node;
+  };
+  using Meaning = std::variant<ir::ParameterRef, ir::LetRef, NodeName, Pi>;
+
+  ExprPtr report(Code code, Span span, std::string message, std::vector<Label> labels = {},
+                 std::vector<std::string> notes = {}) {
+    diagnostics_.add({.code = code, .span = span, .message = std::move(message), .labels = std::move(labels),
+                      .notes = std::move(notes)});
+    return {};
+  }
+
+  // ---- Names ----
+
+  std::optional<Meaning> find(std::string const& name) const {
+    auto const position = [&](auto const& declared) {
+      auto const found = std::find_if(declared.begin(), declared.end(), [&](auto const& d) { return d.name == name; });
+      return found == declared.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - declared.begin()));
+    };
+    if (context_.rule) {
+      if (auto const i = position(context_.rule->parameters)) return ir::ParameterRef{*i};
+      if (auto const i = position(context_.rule->lets)) return ir::LetRef{*i};
+      if (auto const i = position(context_.rule->nodes)) return NodeName{static_cast<ir::NodeId>(*i)};
+    }
+    if (name == "pi") return Pi{};
+    return {};
+  }
+
+  /// What the name means; none, reported, if it means nothing in an expression.
+  std::optional<Meaning> resolve(std::string const& name, Span span) {
+    std::optional<Meaning> const meaning = find(name);
+    if (!meaning) {
+      report_unknown_name(name, span);
+      return {};
+    }
+    auto const* node = std::get_if<NodeName>(&*meaning);
+    if (!node || !context_.rule->nodes[node->node].added()) return meaning;
+    report(Code::unknown_value, span, fmt::format("`{}` is a node of the right side only", name),
+           {{context_.rule->nodes[node->node].span(), fmt::format("`{}` is added here", name)}},
+           {"an expression sees the map before the rule is applied"});
+    return {};
+  }
+
+  void report_unknown_name(std::string const& name, Span span) {
+    if (find_function(name)) {
+      report(Code::unknown_value, span, fmt::format("`{}` is a function, not a value", name), {},
+             {fmt::format("it is called with its arguments: `{}(…)`", name)});
+      return;
+    }
+    if (!context_.rule) {
+      report(Code::unknown_value, span, fmt::format("a default is a constant: it cannot read `{}`", name));
+      return;
+    }
+    std::vector<std::string> known;
+    for (ir::Parameter const& p : context_.rule->parameters) known.push_back(p.name);
+    for (ir::Let const& l : context_.rule->lets) known.push_back(l.name);
+    for (ir::Node const& n : context_.rule->nodes) {
+      if (!n.added()) known.push_back(n.name);
+    }
+    known.push_back("pi");
+    report_unknown(diagnostics_, Code::unknown_value, {name, span}, "value", known);
+  }
+
+  // ---- Leaves ----
+
+  ExprPtr check(ast::BoolLiteral const& literal, Span span) { return make(boolean, ir::Constant{literal.value}, span); }
+  ExprPtr check(ast::IntLiteral const& literal, Span span) { return make(integer, ir::Constant{literal.value}, span); }
+  ExprPtr check(ast::RealLiteral const& literal, Span span) { return make(real, ir::Constant{literal.value}, span); }
+  ExprPtr check(ast::StringLiteral const&, Span span) {
+    return report(Code::type_mismatch, span, "a string is not a value of an expression", {},
+                  {"values are of type Bool, Int, Real, Vec2, Vec3, Point2, Point3 or Color"});
+  }
+
+  ExprPtr check(ast::NameExpr const& expr, Span span) {
+    std::optional<Meaning> const meaning = resolve(expr.name, span);
+    if (!meaning) return {};
+    if (auto const* p = std::get_if<ir::ParameterRef>(&*meaning)) {
+      return make({context_.rule->parameters[p->index].type}, *p, span);
+    }
+    if (auto const* l = std::get_if<ir::LetRef>(&*meaning)) {
+      return make(context_.rule->lets[l->index].value->type, *l, span);
+    }
+    if (std::holds_alternative<Pi>(*meaning)) return make(real, ir::Constant{std::numbers::pi}, span);
+    return report_dart(fmt::format("`{}`", expr.name), span);
+  }
+
+  ExprPtr report_dart(std::string const& what, Span span) {
+    std::vector<std::string> notes;
+    if (auto const& embeddings = context_.rule->modeler->embeddings; !embeddings.empty()) {
+      notes.push_back(fmt::format("a value at it is read with a dot, as in `.{}`", embeddings.front().name));
+    }
+    return report(Code::type_mismatch, span, what + " is a dart, not a value", {}, std::move(notes));
+  }
+
+  // ---- Reading the map ----
+
+  /// Does the expression start at a node, so that `.name` reads an embedding and not a component?
+  bool reads_map(ast::Expr const& expr) const {
+    if (auto const* name = std::get_if<ast::NameExpr>(&expr.value)) {
+      std::optional<Meaning> const meaning = find(name->name);
+      return meaning && std::holds_alternative<NodeName>(*meaning);
+    }
+    return std::holds_alternative<ast::Walk>(expr.value) || std::holds_alternative<ast::OrbitOf>(expr.value);
+  }
+
+  ExprPtr report_not_constant(Span span) {
+    return report(Code::unknown_value, span, "a default is a constant: it cannot read the map");
+  }
+
+  /// `a`, `a@0@[1,2]`; `user` is what needs the dart.
+  std::optional<Dart> dart(ast::Expr const& expr, std::string const& user) {
+    if (auto const* walk = std::get_if<ast::Walk>(&expr.value)) {
+      std::optional<Dart> start = dart(*walk->base, "`@`");
+      auto const word = evaluate_word(context_.rule->model(), walk->word, *context_.dimensions, diagnostics_);
+      if (!start || !word) return {};
+      start->path = context_.group->product(start->path, *word);
+      return start;
+    }
+    if (std::holds_alternative<ast::OrbitOf>(expr.value)) {
+      report(Code::not_a_dart, expr.span, fmt::format("{} starts at a dart, this is an orbit", user));
+      return {};
+    }
+    if (reads_map(expr)) {
+      auto const meaning = resolve(std::get<ast::NameExpr>(expr.value).name, expr.span);
+      return meaning ? std::optional(Dart{std::get<NodeName>(*meaning).node, {}}) : std::nullopt;
+    }
+    if (ExprPtr const value = check(expr)) {
+      report(Code::not_a_dart, expr.span,
+             fmt::format("{} starts at a dart, this is {}", user, described(value->type)), {},
+             {"a dart is a node of the left side, or where a path from one leads: `a`, `a@0`"});
+    }
+    return {};
+  }
+
+  std::optional<Orbit> orbit(ast::OrbitOf const& expr) {
+    if (expr.by) {
+      report(Code::comprehension_not_implemented, expr.by->span, "`by` is not yet implemented");
+      return {};
+    }
+    std::optional<Dart> start = dart(*expr.dart, "an orbit");
+    auto const type = evaluate_orbit(context_.rule->model(), expr.type, *context_.dimensions, diagnostics_);
+    if (!start || !type) return {};
+    return Orbit{std::move(*start), *type};
+  }
+
+  ExprPtr check(ast::Walk const& walk, Span span) {
+    if (!context_.rule) return report_not_constant(span);
+    auto const start = dart(*walk.base, "`@`");
+    return start ? report_dart("this", span) : nullptr;
+  }
+
+  ExprPtr check(ast::OrbitOf const& expr, Span span) {
+    if (!context_.rule) return report_not_constant(span);
+    if (!orbit(expr)) return {};
+    return report(Code::type_mismatch, span, "an orbit is not a value", {},
+                  {"a dot and an embedding's name make it a list of values: `<0,1>(a).position`"});
+  }
+
+  ExprPtr check(ast::Member const& member, Span span) {
+    if (!reads_map(*member.base)) return component(member, span);
+    if (!context_.rule) return report_not_constant(span);
+    std::optional<Dart> start;
+    std::optional<Orbit> over;
+    if (auto const* o = std::get_if<ast::OrbitOf>(&member.base->value)) {
+      over = orbit(*o);
+      if (!over) return {};
+    } else {
+      start = dart(*member.base, "an embedding");
+      if (!start) return {};
+    }
+    auto const& embeddings = context_.rule->modeler->embeddings;
+    auto const found = std::find_if(embeddings.begin(), embeddings.end(),
+                                    [&](EmbeddingSpec const& e) { return e.name == member.name.text; });
+    if (found == embeddings.end()) {
+      std::vector<std::string> known;
+      for (EmbeddingSpec const& e : embeddings) known.push_back(e.name);
+      report_unknown(diagnostics_, Code::unknown_embedding, member.name, "embedding", known);
+      return {};
+    }
+    auto const index = static_cast<std::size_t>(found - embeddings.begin());
+    if (start) return make({found->type}, ir::ValueAt{index, start->node, std::move(start->path)}, span);
+    OrbitType by = intersection(*context_.group, over->type, found->orbit);
+    auto& [at, type] = *over;
+    return make({found->type, true},
+                ir::Collect{index, at.node, std::move(at.path), std::move(type), std::move(by)}, span);
+  }
+
+  ExprPtr component(ast::Member const& member, Span span) {
+    ExprPtr const base = check(*member.base);
+    if (!base) return {};
+    if (base->type.list) return report_list("." + member.name.text, *base, diagnostics_);
+    if (auto const component = find_component(base->type.element, member.name.text)) {
+      return make(real, ir::Apply{*component, {base}}, span);
+    }
+    std::string const names = component_names(base->type.element);
+    std::string const note = names.empty() ? fmt::format("{} has no components", described(base->type))
+                                           : fmt::format("its components are `.{}`", fmt::join(names, "`, `."));
+    return report(Code::no_operator, member.name.span,
+                  fmt::format("`.{}` is not defined for `{}`", member.name.text, to_string(base->type)),
+                  type_labels({base}), {note});
+  }
+
+  // ---- Operators and functions ----
+
+  ExprPtr check(ast::Unary const& unary, Span span) {
+    Builtin const op = unary.op == ast::UnaryOp::negate ? Builtin::negate : Builtin::logical_not;
+    Span const op_span{span.file, span.begin, span.begin + static_cast<std::uint32_t>(spelling(op).size())};
+    ExprPtr operand = check(*unary.operand);
+    return operand ? apply(op, op_span, {std::move(operand)}, span, diagnostics_) : nullptr;
+  }
+
+  ExprPtr check(ast::Binary const& binary, Span span) {
+    ExprPtr left = check(*binary.left);
+    ExprPtr right = check(*binary.right);
+    if (!left || !right) return {};
+    return apply(builtin_of(binary.op), binary.op_span, {std::move(left), std::move(right)}, span, diagnostics_);
+  }
+
+  ExprPtr check(ast::Call const& call, Span span) {
+    std::string const& name = call.function.text;
+    if (!call.dimensions.empty()) {
+      return report(Code::unknown_function, call.function.span, fmt::format("`{}[…]` is not a function", name), {},
+                    {"rules are applied by operations, not by expressions"});
+    }
+    std::optional<Builtin> const function = find_function(name);
+    if (!function) {
+      report_unknown(diagnostics_, Code::unknown_function, call.function, "function", function_names());
+      return {};
+    }
+    std::vector<ExprPtr> arguments;
+    bool good = true;
+    for (ast::Argument const& argument : call.arguments) {
+      if (argument.name) {
+        report(Code::type_mismatch, argument.name->span, fmt::format("the arguments of `{}` have no names", name), {},
+               {"they are told apart by their order"});
+      }
+      arguments.push_back(check(*argument.value));
+      good = good && !argument.name && arguments.back();
+    }
+    good = check_argument_count(*function, call.function.span, arguments.size(), diagnostics_) && good;
+    return good ? apply(*function, call.function.span, std::move(arguments), span, diagnostics_) : nullptr;
+  }
+
+  ExprPtr check(ast::Conditional const& conditional, Span span) {
+    ExprPtr condition = check(*conditional.condition);
+    if (condition) condition = convert(std::move(condition), boolean, diagnostics_);
+    ExprPtr then_value = check(*conditional.then_value);
+    ExprPtr else_value = check(*conditional.else_value);
+    if (!then_value || !else_value) return {};
+    auto const is_number = [](ExprPtr const& e) { return e->type == integer || e->type == real; };
+    if (then_value->type != else_value->type && is_number(then_value) && is_number(else_value)) {
+      then_value = convert(then_value, real, diagnostics_);
+      else_value = convert(else_value, real, diagnostics_);
+    }
+    if (then_value->type != else_value->type) {
+      return report(Code::type_mismatch, else_value->span,
+                    fmt::format("the branches have different types: {} and {}", described(then_value->type),
+                                described(else_value->type)),
+                    type_labels({then_value, else_value}));
+    }
+    if (!condition) return {};
+    ExprType const type = then_value->type;
+    return make(type, ir::Conditional{std::move(condition), std::move(then_value), std::move(else_value)}, span);
+  }
+
+  // ---- What expressions do not have yet, or never ----
+
+  ExprPtr check(ast::Comprehension const&, Span span) {
+    return report(Code::comprehension_not_implemented, span, "comprehensions are not yet implemented");
+  }
+  ExprPtr check(ast::Index const&, Span span) {
+    return report(Code::type_mismatch, span, "an expression has nothing to index", {},
+                  {"`[…]` selects from the result of a rule, in an operation"});
+  }
+
+  ExprContext const& context_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+ExprPtr check_expression(ast::Expr const& expr, ExprContext const& context, std::optional<ExprType> expected,
+                         Diagnostics& diagnostics) {
+  ExprPtr value = Checker(context, diagnostics).check(expr);
+  return value && expected ? convert(std::move(value), *expected, diagnostics) : value;
+}
+
+std::optional<Type> resolve_type(ast::TypeName const& type, Diagnostics& diagnostics) {
+  constexpr std::array all{Type::Bool, Type::Int,    Type::Real,   Type::Vec2,
+                           Type::Vec3, Type::Point2, Type::Point3, Type::Color};
+  std::string const& name = type.name.text;
+  auto const found = std::find_if(all.begin(), all.end(), [&](Type t) { return to_string(t) == name; });
+  if (found == all.end()) {
+    if (name == "Dart") {
+      diagnostics.add({.code = Code::unknown_type, .span = type.name.span, .message = "a `Dart` cannot be stored",
+                       .notes = {"a rule gets darts at its hooks, an expression by the nodes of the left side"}});
+      return {};
+    }
+    std::vector<std::string> known;
+    for (Type t : all) known.push_back(to_string(t));
+    report_unknown(diagnostics, Code::unknown_type, type.name, "type", known);
+    return {};
+  }
+  if (type.list) {
+    diagnostics.add({.code = Code::extern_not_implemented, .span = type.name.span,
+                     .message = fmt::format("values of the list type `[{}]` are not yet implemented", name)});
+    return {};
+  }
+  return *found;
+}
+
+std::optional<MergePolicy> resolve_merge(ast::Name const& policy, Type type, Diagnostics& diagnostics) {
+  struct Row {
+    std::string_view name;
+    MergePolicy policy;
+    Builtin aggregate;
+  };
+  constexpr std::array rows{Row{"mean", MergePolicy::mean, Builtin::mean}, Row{"min", MergePolicy::min, Builtin::min},
+                            Row{"max", MergePolicy::max, Builtin::max},
+                            Row{"first", MergePolicy::first, Builtin::first}};
+  auto const row = std::find_if(rows.begin(), rows.end(), [&](Row const& r) { return r.name == policy.text; });
+  if (row == rows.end()) {
+    report_unknown(diagnostics, Code::bad_merge, policy, "merge policy", {"mean", "min", "max", "first"});
+    return {};
+  }
+  std::vector<std::string> merged;
+  for (Signature const& s : signatures(row->aggregate)) {
+    if (!s.parameters.front().list) continue;
+    if (s.parameters.front().element == type) return row->policy;
+    merged.push_back(to_string(s.parameters.front().element));
+  }
+  diagnostics.add({.code = Code::bad_merge, .span = policy.span,
+                   .message = fmt::format("values of type `{}` have no `{}`", to_string(type), policy.text),
+                   .notes = {fmt::format("`{}` merges values of type {}", policy.text, fmt::join(merged, ", "))}});
+  return {};
+}
+
+std::optional<Value> evaluate_constant(ast::Expr const& expr, Type type, Diagnostics& diagnostics) {
+  ExprPtr const value = check_expression(expr, {}, ExprType{type}, diagnostics);
+  if (!value) return {};
+  auto const leaf = [](ir::Expr const&) -> ir::Evaluated { throw std::logic_error("a constant reads"); };
+  return std::get<Value>(ir::evaluate(*value, leaf));
+}
+
+}  // namespace jrule::sema

@@ -1,0 +1,122 @@
+#include "compiler/sema/modules.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <system_error>
+
+#include "compiler/syntax/parse.h"
+
+namespace jrule::sema {
+
+namespace fs = std::filesystem;
+using source::Code;
+
+namespace {
+
+struct Loader {
+  SearchPath const& search;
+  source::Sources& sources;
+  source::Diagnostics& diagnostics;
+  Modules result;
+  std::map<std::string, bool> finished;  // by canonical path; false while its imports are being read
+
+  static std::optional<std::string> read(std::string const& path, std::string& why) {
+    std::error_code error;
+    if (fs::is_directory(path, error)) {
+      why = "is a folder";
+      return {};
+    }
+    std::ifstream in(path, std::ios::binary);
+    if (!in) {
+      why = std::generic_category().message(errno);
+      return {};
+    }
+    std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    if (in.bad()) {
+      why = "reading failed";
+      return {};
+    }
+    return text;
+  }
+
+  static std::string key(std::string const& path) {
+    std::error_code error;
+    fs::path const canonical = fs::weakly_canonical(path, error);
+    return error ? path : canonical.string();
+  }
+
+  std::optional<std::string> find(ast::Import const& import, std::string const& importer) const {
+    fs::path relative;
+    for (ast::Name const& part : import.path) relative /= part.text;
+    relative += ".jrule";
+    std::vector<fs::path> candidates;
+    if (import.path.front().text == "std") {
+      if (!search.stdlib.empty()) candidates.push_back(fs::path(search.stdlib) / relative);
+    } else {
+      candidates.push_back(fs::path(importer).parent_path() / relative);
+      for (std::string const& folder : search.folders) candidates.push_back(fs::path(folder) / relative);
+    }
+    for (fs::path const& candidate : candidates) {
+      std::error_code error;
+      if (fs::is_regular_file(candidate, error)) return candidate.string();
+    }
+    return {};
+  }
+
+  void load(std::string const& path, std::string name, source::Span at) {
+    std::string why;
+    std::optional<std::string> text = read(path, why);
+    if (!text) {
+      diagnostics.add({.code = Code::cannot_read_file, .span = at, .message = fmt::format("cannot read `{}`: {}", path, why)});
+      return;
+    }
+    std::string const id = key(path);
+    finished[id] = false;
+    result.paths.push_back(path);
+    source::FileId const file = sources.add(path, std::move(*text));
+    ast::File ast = syntax::parse(sources, file, diagnostics);
+    for (ast::Item const& item : ast.items) {
+      if (auto const* import = std::get_if<ast::Import>(&item)) load_import(*import, path);
+    }
+    finished[id] = true;
+    result.all.push_back({std::move(name), std::move(ast)});
+  }
+
+  void load_import(ast::Import const& import, std::string const& importer) {
+    std::string name;
+    for (ast::Name const& part : import.path) name += (name.empty() ? "" : ".") + part.text;
+    std::optional<std::string> const path = find(import, importer);
+    if (!path) {
+      diagnostics.add({.code = Code::import_not_found,
+                       .span = import.span,
+                       .message = fmt::format("module `{}` is not found", name),
+                       .notes = {import.path.front().text == "std"
+                                     ? std::string("`std` modules come with the compiler")
+                                     : std::string("it is looked up beside the importing file, then along `-I`")}});
+      return;
+    }
+    auto const known = finished.find(key(*path));
+    if (known == finished.end()) {
+      load(*path, name, import.span);
+    } else if (!known->second) {
+      diagnostics.add({.code = Code::import_cycle,
+                       .span = import.span,
+                       .message = fmt::format("importing `{}` here closes a cycle of imports", name)});
+    }
+  }
+};
+
+}  // namespace
+
+Modules load(std::string const& path, SearchPath const& search, source::Sources& sources, source::Diagnostics& diagnostics) {
+  Loader loader{search, sources, diagnostics, {}, {}};
+  loader.load(path, fs::path(path).stem().string(), {});
+  return std::move(loader.result);
+}
+
+}  // namespace jrule::sema

@@ -1,0 +1,101 @@
+// What an application of a rule scheme is made of: generated code and the interpreter call these functions in the order
+// match, plan, commit. Everything that can fail comes before the commit; the commit cannot.
+//
+// Notation: P is the pattern, the darts u_0 … u_{n-1}; a column of a word w holds for each k the index of u_k·w; a match
+// column of a left node s holds for each k the dart m(u_k, s) of the map (paper, section 6.3).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "jrule/map.h"
+#include "jrule/result.h"
+
+namespace jrule::rewrite {
+
+using Index = std::uint32_t;
+using Column = std::vector<Index>;
+
+/// Scratch memory, reused between applications so that none allocates after warm-up. One application at a time.
+class Workspace {
+ public:
+  /// Room to mark every dart below `darts` and to queue as many. May throw std::bad_alloc.
+  void reserve(std::size_t darts);
+  /// Forgets all marks. O(1), except once in 2^32 times.
+  void clear_marks() noexcept;
+  /// Marks a dart; false if it was marked already.
+  bool mark(Dart d, Index value) noexcept {
+    if (stamp_[d] == epoch_) return false;
+    stamp_[d] = epoch_;
+    value_[d] = value;
+    return true;
+  }
+  bool marked(Dart d) const noexcept { return d < stamp_.size() && stamp_[d] == epoch_; }
+  /// The value that the dart was marked with; it must be marked.
+  Index value(Dart d) const noexcept { return value_[d]; }
+  /// An empty queue with room for every dart.
+  std::vector<Dart>& queue() noexcept {
+    queue_.clear();
+    return queue_;
+  }
+  std::vector<Handle>& handles() noexcept {
+    handles_.clear();
+    return handles_;
+  }
+
+ private:
+  std::vector<std::uint32_t> stamp_;
+  std::vector<Index> value_;
+  std::uint32_t epoch_ = 0;
+  std::vector<Dart> queue_;
+  std::vector<Handle> handles_;
+};
+
+/// P: the closure of `hook` under the words and their conjugates, breadth first, the hook first. Leaves each dart of P marked
+/// with its index. O(|P| · letters).
+std::vector<Dart> close_pattern(Map const& map, Dart hook, std::span<Word const> words, Workspace& workspace);
+
+/// The column of a word under which P is closed; P's darts must be marked with their indices. O(|P| · |w|).
+Column column(Map const& map, std::vector<Dart> const& pattern, Word const& word, Workspace const& workspace);
+
+/// A loop (w, d) of a further hook: m(u·w, b) = m(u, b)·d.
+struct Loop {
+  Column const* word;
+  int dimension;
+};
+/// The match column of a further hook: P walked in step from `hook`. Empty if the loops do not determine it for all of P. That
+/// each loop then holds everywhere is for the caller to check.
+std::vector<Dart> walk_in_step(Map const& map, Dart hook, std::size_t pattern_size, std::span<Loop const> loops);
+
+/// Do the match columns name each dart once? If not, the first dart that is matched twice. Forgets P's marks.
+std::optional<Dart> matched_twice(std::span<std::vector<Dart> const* const> matches, Workspace& workspace);
+
+/// The orbits of P under columns: for each k the smallest index of its orbit.
+Column pattern_orbits(std::size_t pattern_size, std::span<Column const* const> generators);
+
+/// The darts of the orbit, `d` first, in the workspace's queue; marks them. Nothing if `d` is marked already. The workspace
+/// must have room for every dart; then it does not allocate.
+std::span<Dart const> collect_orbit(Map const& map, OrbitType const& type, Dart d, Workspace& workspace) noexcept;
+
+/// Commit: gives the whole orbit of `d` the value, unless its darts are marked (another representative came first).
+void assign_orbit(Map& map, std::size_t embedding, Dart d, Handle value, Workspace& workspace) noexcept;
+/// Commit: if the orbit of `d` holds several values or darts without one, gives it one: the only value, or the merge by the
+/// embedding's policy. `reserve_values` must have made room for one value.
+void merge_orbit(Map& map, std::size_t embedding, Dart d, Workspace& workspace) noexcept;
+
+/// One dart for each ⟨by⟩-orbit inside ⟨type⟩(d), breadth first; ⟨by⟩ must be a subgroup of ⟨type⟩. O(orbit · words).
+std::vector<Dart> representatives(Map const& map, OrbitType const& type, OrbitType const& by, Dart d);
+
+/// The errors of a rule that does not match.
+Error not_a_dart(std::string_view rule, std::string_view hook, Dart d);
+Error arc_differs(std::string_view rule, std::string_view source, int dimension, std::string_view target, Dart at, Dart leads_to,
+                  Dart expected);
+Error matched_twice_error(std::string_view rule, Dart d);
+Error hook_not_determined(std::string_view rule, std::string_view hook);
+Error requirement_failed(std::string_view rule, std::string_view condition);
+
+}  // namespace jrule::rewrite

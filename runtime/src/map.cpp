@@ -1,0 +1,112 @@
+#include "jrule/map.h"
+
+#include <algorithm>
+#include <cassert>
+#include <functional>
+#include <stdexcept>
+#include <utility>
+
+namespace jrule {
+
+namespace {
+
+/// no_dart itself is not an index, and one less keeps every count of darts a 32-bit one below no_dart too.
+constexpr std::size_t most_darts = no_dart - 1;
+
+[[maybe_unused]] bool is_orbit_of(Model const& model, OrbitType const& type) {
+  return std::all_of(type.words.begin(), type.words.end(), [&](Word const& word) {
+    return std::all_of(word.begin(), word.end(), [&](Letter letter) { return model.has(letter.dimension); });
+  });
+}
+
+}  // namespace
+
+Map::Map(Model model, std::vector<EmbeddingSpec> embeddings)
+    : model_(std::move(model)), columns_(model_.dimensions.size()) {
+  assert(!model_.dimensions.empty());
+  for (std::size_t k = 0; k < model_.dimensions.size(); ++k) {
+    assert(model_.dimensions[k] >= 0 && model_.dimensions[k] <= max_dimension);
+    index_[model_.dimensions[k]] = static_cast<std::uint8_t>(k);
+  }
+  embeddings_.reserve(embeddings.size());
+  for (EmbeddingSpec& spec : embeddings) {
+    assert(is_orbit_of(model_, spec.orbit));
+    embeddings_.emplace_back(std::move(spec));
+  }
+}
+
+std::vector<Dart> Map::darts() const {
+  std::vector<Dart> live;
+  live.reserve(dart_count());
+  for (Dart d = 0; d < limit_; ++d) {
+    if (contains(d)) live.push_back(d);
+  }
+  return live;
+}
+
+std::vector<Dart> Map::add_darts(std::size_t count) {
+  std::size_t const reused = std::min(count, free_.size());
+  std::size_t const appended = count - reused;
+  if (appended > most_darts - limit_) throw std::length_error("a map has at most 2^32 - 2 darts");
+
+  // Everything that may fail comes before the first change.
+  std::size_t const limit = limit_ + appended;
+  std::size_t capacity = columns_[0].targets.capacity();
+  if (limit > capacity) capacity = std::max(limit, 2 * capacity);
+  std::vector<Dart> added;
+  added.reserve(count);
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    columns_[k].targets.reserve(capacity);
+    if (model_.is_oriented(model_.dimensions[k])) columns_[k].sources.reserve(capacity);
+  }
+  for (Embedding& e : embeddings_) e.reserve(capacity);
+
+  for (std::size_t k = 0; k < reused; ++k) {
+    added.push_back(free_.front());
+    std::pop_heap(free_.begin(), free_.end(), std::greater<>{});
+    free_.pop_back();
+  }
+  for (std::size_t d = limit_; d < limit; ++d) added.push_back(static_cast<Dart>(d));
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    Column& c = columns_[k];
+    c.targets.resize(limit);
+    if (model_.is_oriented(model_.dimensions[k])) c.sources.resize(limit);
+    for (Dart d : added) c.targets[d] = d;
+    if (!c.sources.empty()) {
+      for (Dart d : added) c.sources[d] = d;
+    }
+  }
+  for (Embedding& e : embeddings_) e.resize(limit);  // an erased dart's handle is no_handle already
+  limit_ = static_cast<Dart>(limit);
+  return added;
+}
+
+void Map::erase(Dart d) {
+  assert(contains(d));
+  free_.push_back(d);
+  std::push_heap(free_.begin(), free_.end(), std::greater<>{});
+  for (Column& c : columns_) {
+    c.targets[d] = no_dart;
+    if (!c.sources.empty()) c.sources[d] = no_dart;
+  }
+  for (Embedding& e : embeddings_) e.set_handle(d, no_handle);
+}
+
+void Map::reserve_erase(std::size_t count) {
+  std::size_t const needed = free_.size() + count;
+  if (needed > free_.capacity()) free_.reserve(std::max(needed, 2 * free_.capacity()));
+}
+
+void Map::link(Dart from, int dimension, Dart to) noexcept {
+  set_target(from, dimension, to);
+  if (!model_.is_oriented(dimension)) set_target(to, dimension, from);
+}
+
+std::optional<std::size_t> Map::find_embedding(std::string const& name) const noexcept {
+  for (std::size_t i = 0; i < embeddings_.size(); ++i) {
+    if (embeddings_[i].spec().name == name) return i;
+  }
+  return std::nullopt;
+}
+
+}  // namespace jrule

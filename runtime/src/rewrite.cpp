@@ -1,0 +1,201 @@
+#include "jrule/rewrite.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace jrule::rewrite {
+
+void Workspace::reserve(std::size_t darts) {
+  if (stamp_.size() < darts) {
+    // Both or neither: mark() relies on equal sizes.
+    stamp_.reserve(darts);
+    value_.resize(darts, 0);
+    stamp_.resize(darts, 0);
+  }
+  queue_.reserve(darts);
+  handles_.reserve(darts);
+}
+
+void Workspace::clear_marks() noexcept {
+  if (++epoch_ == 0) {
+    std::fill(stamp_.begin(), stamp_.end(), 0);
+    epoch_ = 1;
+  }
+}
+
+namespace {
+
+Dart walk_back(Map const& map, Dart d, Word const& word) noexcept {
+  for (auto letter = word.rbegin(); letter != word.rend(); ++letter) {
+    d = map.step(d, {letter->dimension, !letter->conjugate});
+  }
+  return d;
+}
+
+}  // namespace
+
+std::vector<Dart> close_pattern(Map const& map, Dart hook, std::span<Word const> words, Workspace& workspace) {
+  workspace.reserve(map.dart_limit());
+  workspace.clear_marks();
+  std::vector<Dart> pattern{hook};
+  workspace.mark(hook, 0);
+  for (std::size_t k = 0; k < pattern.size(); ++k) {
+    for (Word const& word : words) {
+      for (Dart const d : {map.walk(pattern[k], word), walk_back(map, pattern[k], word)}) {
+        if (workspace.mark(d, static_cast<Index>(pattern.size()))) pattern.push_back(d);
+      }
+    }
+  }
+  return pattern;
+}
+
+Column column(Map const& map, std::vector<Dart> const& pattern, Word const& word, Workspace const& workspace) {
+  Column result(pattern.size());
+  for (std::size_t k = 0; k < pattern.size(); ++k) result[k] = workspace.value(map.walk(pattern[k], word));
+  return result;
+}
+
+std::vector<Dart> walk_in_step(Map const& map, Dart hook, std::size_t pattern_size, std::span<Loop const> loops) {
+  std::vector<Dart> match(pattern_size, no_dart);
+  std::vector<Index> queue{0};
+  match[0] = hook;
+  // Columns are permutations, so following them forwards from 0 reaches all that can be reached.
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    Index const k = queue[next];
+    for (Loop const& loop : loops) {
+      Index const to = (*loop.word)[k];
+      if (match[to] == no_dart) {
+        match[to] = map.target(match[k], loop.dimension);
+        queue.push_back(to);
+      }
+    }
+  }
+  if (queue.size() != pattern_size) return {};
+  return match;
+}
+
+std::optional<Dart> matched_twice(std::span<std::vector<Dart> const* const> matches, Workspace& workspace) {
+  workspace.clear_marks();
+  for (std::vector<Dart> const* const match : matches) {
+    for (Dart const d : *match) {
+      if (!workspace.mark(d, 0)) return d;
+    }
+  }
+  return {};
+}
+
+Column pattern_orbits(std::size_t pattern_size, std::span<Column const* const> generators) {
+  Column orbit(pattern_size);
+  constexpr Index unknown = 0xffffffffU;
+  std::fill(orbit.begin(), orbit.end(), unknown);
+  std::vector<Index> queue;
+  for (Index start = 0; start < pattern_size; ++start) {
+    if (orbit[start] != unknown) continue;
+    // Columns are permutations of a finite set: their forward orbits are their orbits.
+    orbit[start] = start;
+    queue.assign(1, start);
+    while (!queue.empty()) {
+      Index const k = queue.back();
+      queue.pop_back();
+      for (Column const* const generator : generators) {
+        Index const to = (*generator)[k];
+        if (orbit[to] == unknown) {
+          orbit[to] = start;
+          queue.push_back(to);
+        }
+      }
+    }
+  }
+  return orbit;
+}
+
+std::span<Dart const> collect_orbit(Map const& map, OrbitType const& type, Dart d, Workspace& workspace) noexcept {
+  std::vector<Dart>& queue = workspace.queue();
+  if (!workspace.mark(d, 0)) return {};
+  queue.push_back(d);
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    Dart const at = queue[next];
+    for (Word const& word : type.words) {
+      for (Dart const to : {map.walk(at, word), walk_back(map, at, word)}) {
+        if (workspace.mark(to, 0)) queue.push_back(to);
+      }
+    }
+  }
+  return queue;
+}
+
+void assign_orbit(Map& map, std::size_t embedding, Dart d, Handle value, Workspace& workspace) noexcept {
+  Embedding& e = map.embedding(embedding);
+  for (Dart const member : collect_orbit(map, e.spec().orbit, d, workspace)) e.set_handle(member, value);
+}
+
+void merge_orbit(Map& map, std::size_t embedding, Dart d, Workspace& workspace) noexcept {
+  Embedding& e = map.embedding(embedding);
+  std::span<Dart const> const members = collect_orbit(map, e.spec().orbit, d, workspace);
+  if (members.empty()) return;
+  std::vector<Handle>& parts = workspace.handles();
+  bool complete = true;
+  for (Dart const member : members) {
+    Handle const h = e.handle(member);
+    if (h == no_handle) {
+      complete = false;
+    } else if (std::find(parts.begin(), parts.end(), h) == parts.end()) {
+      parts.push_back(h);
+    }
+  }
+  if (parts.empty() || (complete && parts.size() == 1)) return;
+  Handle const value = parts.size() == 1 ? parts.front() : e.add(e.merge(parts));
+  for (Dart const member : members) e.set_handle(member, value);
+}
+
+std::vector<Dart> representatives(Map const& map, OrbitType const& type, OrbitType const& by, Dart d) {
+  std::vector<Dart> const members = orbit(map, type, d);
+  if (by.words.empty()) return members;
+  // Sorted members stand for marks: the work stays proportional to the orbit.
+  std::vector<Dart> sorted = members;
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<bool> seen(sorted.size(), false);
+  auto const position = [&](Dart x) {
+    return static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), x) - sorted.begin());
+  };
+  std::vector<Dart> result;
+  for (Dart const member : members) {
+    if (seen[position(member)]) continue;
+    result.push_back(member);
+    for (Dart const other : orbit(map, by, member)) seen[position(other)] = true;
+  }
+  return result;
+}
+
+namespace {
+Error not_applicable(std::string message) { return {Error::Kind::not_applicable, std::move(message), {}, 0}; }
+}  // namespace
+
+Error not_a_dart(std::string_view rule, std::string_view hook, Dart d) {
+  return not_applicable(fmt::format("`{}` is not applicable: the map has no dart {} to be matched by the hook `{}`", rule, d, hook));
+}
+
+Error arc_differs(std::string_view rule, std::string_view source, int dimension, std::string_view target, Dart at, Dart leads_to,
+                  Dart expected) {
+  if (at == expected) {
+    return not_applicable(fmt::format("`{}` is not applicable: the {}-arc of `{}` has to be a loop, but from dart {} it leads to dart {}", rule,
+                                      dimension, source, at, leads_to));
+  }
+  return not_applicable(fmt::format("`{}` is not applicable: the {}-arc of `{}` has to lead to `{}`, but from dart {} it leads to dart {}, not {}",
+                                    rule, dimension, source, target, at, leads_to, expected));
+}
+
+Error matched_twice_error(std::string_view rule, Dart d) {
+  return not_applicable(fmt::format("`{}` is not applicable: dart {} would be matched twice", rule, d));
+}
+
+Error hook_not_determined(std::string_view rule, std::string_view hook) {
+  return not_applicable(fmt::format("`{}` is not applicable: the orbit of the hook `{}` does not determine its whole copy of the pattern", rule, hook));
+}
+
+Error requirement_failed(std::string_view rule, std::string_view condition) {
+  return not_applicable(fmt::format("`{}` is not applicable: it requires {}", rule, condition));
+}
+
+}  // namespace jrule::rewrite
