@@ -99,7 +99,7 @@ struct CycleCheck {
     source::Diagnostic diagnostic{.code = Code::open_cycle, .span = at->span, .message = {}};
     diagnostic.message =
         start != end ? fmt::format("the path {}{}{}{} from `{}` leads to `{}` and not back", i, j, i, j, name(start), name(end))
-                     : fmt::format("the path {}{}{}{} from a dart of `{}` does not return to it: it leads {} further in the pattern", i, j, i, j, name(start),
+                     : fmt::format("the path {}{}{}{} from a dart of `{}` does not return to it: it ends where {} leads in the pattern", i, j, i, j, name(start),
                                    describe(word_of(path)));
     std::set<source::Span> labelled{at->span};
     for (ir::Arc const* arc : path) {
@@ -148,7 +148,12 @@ struct CycleCheck {
       Path const cycle = view.walk(arc.source, d, e);
       if (cycle.size() == 4) {
         // On the left a closed walk is a fact, and completion has refused the others.
-        if (added && (!closes(cycle) || !word_of(cycle).empty())) refuse_cycle(cycle, d, e);
+        if (added && (!closes(cycle) || !word_of(cycle).empty())) {
+          // Named by the smaller dimension first where that reads the same.
+          Path const usual = view.walk(arc.source, i, j);
+          bool const same = usual.size() == 4 && (!closes(usual) || !word_of(usual).empty());
+          same ? refuse_cycle(usual, i, j) : refuse_cycle(cycle, d, e);
+        }
         continue;
       }
       Path const path = view.maximal_from(arc, e);

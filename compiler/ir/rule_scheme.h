@@ -66,7 +66,7 @@ struct ParameterRef { std::size_t index; };
 struct LetRef { std::size_t index; };
 /// The value of an embedding at the dart of a left node, after walking a path (before the rule is applied).
 struct ValueAt { std::size_t embedding; NodeId node; Word path; };
-/// The values over ⟨orbit⟩ of that dart, one for each ⟨by⟩-orbit inside, in breadth-first order.
+/// The values over ⟨orbit⟩ of that dart, one for each ⟨by⟩-orbit inside, a closed face's in cyclic order.
 struct Collect { std::size_t embedding; NodeId node; Word path; OrbitType orbit; OrbitType by; };
 struct Apply { Builtin function; std::vector<ExprPtr> arguments; };
 struct Conditional { ExprPtr condition, then_value, else_value; };

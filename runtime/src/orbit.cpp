@@ -1,6 +1,5 @@
 // Orbits. A word acts on the darts of a map as a permutation of a finite set, so its conjugate is one of its powers:
-// the walks below follow the words forwards only and still reach what the words and their conjugates reach. This also
-// brings the darts of an O-map's face or vertex in their cyclic order.
+// the walks below follow the words forwards only and still reach what the words and their conjugates reach.
 #include <algorithm>
 #include <cassert>
 
@@ -10,44 +9,61 @@ namespace jrule {
 
 namespace {
 
-/// The marks of one walk. The bytes outlive it, all zero again, so that a walk costs its orbit and not the map.
-class Marks {
+/// A set of darts whose cost is that of its members, not of the map: open addressing, at most half full.
+class DartSet {
  public:
-  Marks(std::size_t darts, std::vector<Dart> const& marked) : marked_(marked) {
-    if (bytes_.size() < darts) bytes_.resize(darts);
+  /// False if the dart is a member already.
+  bool insert(Dart d) {
+    if (2 * (size_ + 1) > slots_.size()) grow();
+    if (!place(d)) return false;
+    ++size_;
+    return true;
   }
-  Marks(Marks const&) = delete;
-  Marks& operator=(Marks const&) = delete;
-  ~Marks() {
-    for (Dart d : marked_) bytes_[d] = 0;
-  }
-  bool has(Dart d) const { return bytes_[d] != 0; }
-  void set(Dart d) { bytes_[d] = 1; }
 
  private:
-  std::vector<Dart> const& marked_;
-  static thread_local std::vector<std::uint8_t> bytes_;
-};
+  bool place(Dart d) {
+    std::size_t const mask = slots_.size() - 1;
+    // Multiplicative hashing (2^32 / golden ratio); the high bits are folded in, since the mask looks at the low ones.
+    std::uint32_t const hash = d * 2654435769U;
+    std::size_t at = (hash ^ (hash >> 15)) & mask;
+    while (slots_[at] != no_dart) {
+      if (slots_[at] == d) return false;
+      at = (at + 1) & mask;
+    }
+    slots_[at] = d;
+    return true;
+  }
+  void grow() {
+    std::vector<Dart> const old = std::move(slots_);
+    slots_.assign(std::max<std::size_t>(32, 2 * old.size()), no_dart);
+    for (Dart const d : old) {
+      if (d != no_dart) place(d);
+    }
+  }
 
-thread_local std::vector<std::uint8_t> Marks::bytes_;
+  std::vector<Dart> slots_;
+  std::size_t size_ = 0;
+};
 
 }  // namespace
 
 std::vector<Dart> orbit(Map const& map, OrbitType const& type, Dart d) {
   assert(map.contains(d));
-  std::vector<Dart> found;
-  {  // the marks must be gone before `found` may be moved from
-    Marks marks(map.dart_limit(), found);
-    auto const meet = [&](Dart dart) {
-      if (marks.has(dart)) return;
-      found.push_back(dart);  // before the mark, which is cleared through it should this throw
-      marks.set(dart);
-    };
-    meet(d);
-    for (std::size_t k = 0; k < found.size(); ++k) {
-      Dart const from = found[k];
-      for (Word const& word : type.words) meet(map.walk(from, word));
+  struct Step { Dart dart; std::size_t next_word; };
+  std::vector<Dart> found{d};
+  std::vector<Step> path{{d, 0}};
+  DartSet seen;
+  seen.insert(d);
+  while (!path.empty()) {
+    Step& step = path.back();
+    if (step.next_word == type.words.size()) {
+      path.pop_back();
+      continue;
     }
+    Dart const to = map.walk(step.dart, type.words[step.next_word++]);
+    if (!seen.insert(to)) continue;
+    found.push_back(to);
+    path.push_back({to, 0});
   }
   return found;
 }

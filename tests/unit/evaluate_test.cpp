@@ -99,13 +99,14 @@ TEST_F(Evaluation, Truths) {
   EXPECT_FALSE(truth("false and true"));
   EXPECT_TRUE(truth("false or true"));
   EXPECT_TRUE(truth("true == true"));
-  EXPECT_TRUE(truth("9007199254740993 != 9007199254740992"));   // as Int, exactly
+  EXPECT_TRUE(truth("9007199254740993 != 9007199254740992"));  // as Int, exactly
   EXPECT_FALSE(truth("Point3(0, 0, 1) == Point3(0, 0, 2)"));
   EXPECT_TRUE(truth("Color(0, 0.5, 1) == Color(0, 0.5, 1)"));
 }
 
 TEST_F(Evaluation, VectorsPointsAndColours) {
-  EXPECT_EQ(value<Vec3>("Vec3(1, 2, 3) + 2 * Vec3(1, 0, 0) - Vec3(0, 1, 0) * 3 - Vec3(2, 2, 2) / 2", Type::Vec3), (Vec3{2, -2, 2}));
+  EXPECT_EQ(value<Vec3>("Vec3(1, 2, 3) + 2 * Vec3(1, 0, 0) - Vec3(0, 1, 0) * 3 - Vec3(2, 2, 2) / 2", Type::Vec3),
+            (Vec3{2, -2, 2}));
   EXPECT_EQ(value<Vec2>("-Vec2(1, -2) + Vec2(4, 4)", Type::Vec2), (Vec2{3, 6}));
   EXPECT_EQ(value<Vec3>("Point3(3, 2, 1) - Point3(1, 1, 1)", Type::Vec3), (Vec3{2, 1, 0}));
   EXPECT_EQ(value<Point3>("Point3(3, 2, 1) + Vec3(1, 1, 1)", Type::Point3), (Point3{4, 3, 2}));
@@ -140,7 +141,8 @@ TEST_F(Evaluation, Lists) {
   EXPECT_FALSE(std::get<bool>(apply_to_list(Builtin::all, {true, false})));
   EXPECT_TRUE(std::get<bool>(apply_to_list(Builtin::any, {false, true})));
   EXPECT_FALSE(std::get<bool>(apply_to_list(Builtin::any, {false, false})));
-  EXPECT_EQ(std::get<Vec3>(apply_to_list(Builtin::area_vector, {Point3{0, 0, 0}, Point3{2, 0, 0}, Point3{2, 3, 0}, Point3{0, 3, 0}})),
+  EXPECT_EQ(std::get<Vec3>(apply_to_list(Builtin::area_vector,
+                                         {Point3{0, 0, 0}, Point3{2, 0, 0}, Point3{2, 3, 0}, Point3{0, 3, 0}})),
             (Vec3{0, 0, 6}));
 }
 
@@ -182,7 +184,8 @@ TEST_F(Evaluation, DeepExpressions) {
 TEST_F(Evaluation, ATooLongSumIsRefusedBeforeItIsChecked) {
   std::string sum = "1";
   for (int i = 1; i < 10000; ++i) sum += " + 1";
-  auto const file = sources_.add("long.jrule", "modeler M on gmap(2) { embedding e : <> -> Int { default " + sum + "; } }");
+  auto const file =
+      sources_.add("long.jrule", "modeler M on gmap(2) { embedding e : <> -> Int { default " + sum + "; } }");
   source::Diagnostics syntax;
   EXPECT_TRUE(syntax::parse(sources_, file, syntax).items.empty());
   ASSERT_FALSE(syntax.all().empty());

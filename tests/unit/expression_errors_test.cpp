@@ -16,19 +16,33 @@ TEST_F(Expressions, PointsHaveNoSum) {
 }
 
 TEST_F(Expressions, PointsHaveNoMultiples) {
-  std::string const note = "= a point is a place and has no multiples; a vector has: `a + t * (b - a)`, which is `lerp(a, b, t)`\n";
-  EXPECT_EQ(errors("2 * p3"), "J0241 `*`: `*` is not defined for `Int` and `Point3`\n| `2`: this is an `Int`\n| `p3`: this is a `Point3`\n" + note);
-  EXPECT_EQ(errors("p2 / h"), "J0241 `/`: `/` is not defined for `Point2` and `Real`\n| `p2`: this is a `Point2`\n| `h`: this is a `Real`\n" + note);
+  std::string const note =
+      "= a point is a place and has no multiples; a vector has: `a + t * (b - a)`, which is `lerp(a, b, t)`\n";
+  EXPECT_EQ(
+      errors("2 * p3"),
+      "J0241 `*`: `*` is not defined for `Int` and `Point3`\n| `2`: this is an `Int`\n| `p3`: this is a `Point3`\n" +
+          note);
+  EXPECT_EQ(
+      errors("p2 / h"),
+      "J0241 `/`: `/` is not defined for `Point2` and `Real`\n| `p2`: this is a `Point2`\n| `h`: this is a `Real`\n" +
+          note);
   EXPECT_EQ(errors("1 + -p3"), "J0241 `-`: `-` is not defined for `Point3`\n| `p3`: this is a `Point3`\n" + note);
 }
 
 TEST_F(Expressions, OperatorsOnOtherTypes) {
-  EXPECT_EQ(errors("u3 + u2"), "J0241 `+`: `+` is not defined for `Vec3` and `Vec2`\n| `u3`: this is a `Vec3`\n| `u2`: this is a `Vec2`\n");
-  EXPECT_EQ(errors("(u3 * u3) + h"), "J0241 `*`: `*` is not defined for `Vec3` and `Vec3`\n| `u3`: this is a `Vec3`\n| `u3`: this is a `Vec3`\n");
-  EXPECT_EQ(errors("h and flag"), "J0241 `and`: `and` is not defined for `Real` and `Bool`\n| `h`: this is a `Real`\n| `flag`: this is a `Bool`\n");
+  EXPECT_EQ(
+      errors("u3 + u2"),
+      "J0241 `+`: `+` is not defined for `Vec3` and `Vec2`\n| `u3`: this is a `Vec3`\n| `u2`: this is a `Vec2`\n");
+  EXPECT_EQ(
+      errors("(u3 * u3) + h"),
+      "J0241 `*`: `*` is not defined for `Vec3` and `Vec3`\n| `u3`: this is a `Vec3`\n| `u3`: this is a `Vec3`\n");
+  EXPECT_EQ(
+      errors("h and flag"),
+      "J0241 `and`: `and` is not defined for `Real` and `Bool`\n| `h`: this is a `Real`\n| `flag`: this is a `Bool`\n");
   EXPECT_EQ(errors("not n"), "J0241 `not`: `not` is not defined for `Int`\n| `n`: this is an `Int`\n");
-  for (char const* text : {"u2 - p2", "u3 - p3", "p3 + u2", "p3 - p2", "p3 - h", "h / u3", "h + u3", "red * red", "-red", "-flag", "flag + flag",
-                           "flag * 2", "flag < flag", "u3 < u3", "p3 >= p3", "u3 == p3", "n == flag", "flag != h", "red == u3", "n or flag"}) {
+  for (char const* text : {"u2 - p2",   "u3 - p3",  "p3 + u2",   "p3 - p2",     "p3 - h",    "h / u3",      "h + u3",
+                           "red * red", "-red",     "-flag",     "flag + flag", "flag * 2",  "flag < flag", "u3 < u3",
+                           "p3 >= p3",  "u3 == p3", "n == flag", "flag != h",   "red == u3", "n or flag"}) {
     EXPECT_EQ(errors(text).substr(0, 5), "J0241") << text;
     ASSERT_EQ(diagnostics_.all().size(), 1U) << text;
     EXPECT_EQ(diagnostics_.all()[0].labels.size(), text[0] == '-' ? 1U : 2U) << text;
@@ -46,7 +60,8 @@ TEST_F(Expressions, ConditionsAreBool) {
   EXPECT_EQ(errors("if flag then p3 else u3"),
             "J0240 `u3`: the branches have different types: a `Point3` and a `Vec3`\n"
             "| `p3`: this is a `Point3`\n| `u3`: this is a `Vec3`\n");
-  EXPECT_EQ(errors("if flag then h else flag").substr(0, 72), "J0240 `flag`: the branches have different types: a `Real` and a `Bool`\n|");
+  EXPECT_EQ(errors("if flag then h else flag").substr(0, 72),
+            "J0240 `flag`: the branches have different types: a `Real` and a `Bool`\n|");
   EXPECT_EQ(errors("if flag then h else <0,1>(a).weight"),
             "J0240 `<0,1>(a).weight`: the branches have different types: a `Real` and a list `[Real]`\n"
             "| `h`: this is a `Real`\n| `<0,1>(a).weight`: this is a list `[Real]`\n");
@@ -57,9 +72,11 @@ TEST_F(Expressions, TheExpectedType) {
   EXPECT_EQ(errors("h", one(Type::Int)), "J0240 `h`: expected an `Int`, this is a `Real`\n");
   EXPECT_EQ(errors("1", one(Type::Bool)), "J0240 `1`: expected a `Bool`, this is an `Int`\n");
   EXPECT_EQ(errors("<0,1>(a).position", one(Type::Point3)),
-            "J0240 `<0,1>(a).position`: expected a `Point3`, this is a list `[Point3]`\n= aggregate it: `mean(…)`, `first(…)`\n");
+            "J0240 `<0,1>(a).position`: expected a `Point3`, this is a list `[Point3]`\n= aggregate it: `mean(…)`, "
+            "`first(…)`\n");
   EXPECT_EQ(errors("h", list_of(Type::Real)), "J0240 `h`: expected a list `[Real]`, this is a `Real`\n");
-  EXPECT_EQ(errors("<0,1>(a).level", list_of(Type::Real)), "J0240 `<0,1>(a).level`: expected a list `[Real]`, this is a list `[Int]`\n");
+  EXPECT_EQ(errors("<0,1>(a).level", list_of(Type::Real)),
+            "J0240 `<0,1>(a).level`: expected a list `[Real]`, this is a list `[Int]`\n");
 }
 
 // ---- Functions ----
@@ -77,17 +94,38 @@ TEST_F(Expressions, FunctionsOnOtherTypes) {
             "J0241 `sum`: `sum` is not defined for `[Point3]`\n"
             "| `<0,1>(a).position`: this is a list `[Point3]`\n"
             "= it is defined as `sum([Int])`, `sum([Real])`, `sum([Vec2])`, `sum([Vec3])`\n");
-  for (char const* text : {"cross(u2, u2)", "norm(p3)", "norm(h)", "normalize(h)", "midpoint(p3, p2)", "midpoint(flag, flag)", "lerp(p3, p3, u3)",
-                           "distance(u3, u3)", "distance(p3, p2)", "sqrt(u3)", "abs(u3)", "floor(flag)", "pow(h, flag)", "min(u3, u3)", "max(flag, n)",
-                           "mean(<0,1>(a).mark)", "mean(<0,1>(a).level)", "sum(<0,1>(a).color)", "min(<0,1>(a).position)", "all(<0,1>(a).level)",
-                           "any(<0,1>(a).weight)", "area_vector(<0,1>(a).uv)"}) {
+  for (char const* text : {"cross(u2, u2)",
+                           "norm(p3)",
+                           "norm(h)",
+                           "normalize(h)",
+                           "midpoint(p3, p2)",
+                           "midpoint(flag, flag)",
+                           "lerp(p3, p3, u3)",
+                           "distance(u3, u3)",
+                           "distance(p3, p2)",
+                           "sqrt(u3)",
+                           "abs(u3)",
+                           "floor(flag)",
+                           "pow(h, flag)",
+                           "min(u3, u3)",
+                           "max(flag, n)",
+                           "mean(<0,1>(a).mark)",
+                           "mean(<0,1>(a).level)",
+                           "sum(<0,1>(a).color)",
+                           "min(<0,1>(a).position)",
+                           "all(<0,1>(a).level)",
+                           "any(<0,1>(a).weight)",
+                           "area_vector(<0,1>(a).uv)"}) {
     EXPECT_EQ(errors(text).substr(0, 5), "J0241") << text;
   }
 }
 
 TEST_F(Expressions, AggregatesNeedLists) {
-  EXPECT_EQ(errors("mean(p3)"), "J0240 `p3`: `mean` needs a list, this is a `Point3`\n= a list is what an orbit gives: `<0,1>(a).position`\n");
-  for (char const* text : {"sum(h)", "min(n)", "max(h)", "count(h)", "first(p3)", "all(flag)", "any(flag)", "area_vector(p3)"}) {
+  EXPECT_EQ(
+      errors("mean(p3)"),
+      "J0240 `p3`: `mean` needs a list, this is a `Point3`\n= a list is what an orbit gives: `<0,1>(a).position`\n");
+  for (char const* text :
+       {"sum(h)", "min(n)", "max(h)", "count(h)", "first(p3)", "all(flag)", "any(flag)", "area_vector(p3)"}) {
     EXPECT_EQ(errors(text).substr(0, 5), "J0240") << text;
     EXPECT_NE(show_all().find("needs a list, this is a"), std::string::npos) << text;
   }
@@ -95,12 +133,17 @@ TEST_F(Expressions, AggregatesNeedLists) {
 
 TEST_F(Expressions, AListIsNotOneValue) {
   std::string const note = "= aggregate it: `mean(…)`, `first(…)`\n";
-  EXPECT_EQ(errors("<0,1>(a).position - b.position"), "J0240 `<0,1>(a).position`: `-` needs one value, this is a list `[Point3]`\n" + note);
-  EXPECT_EQ(errors("norm(<0,1>(a).normal)"), "J0240 `<0,1>(a).normal`: `norm` needs one value, this is a list `[Vec3]`\n" + note);
-  EXPECT_EQ(errors("max(h, <0,1>(a).weight)"), "J0240 `<0,1>(a).weight`: `max` needs one value, this is a list `[Real]`\n" + note);
-  EXPECT_EQ(errors("<0,1>(a).position.x"), "J0240 `<0,1>(a).position`: `.x` needs one value, this is a list `[Point3]`\n" + note);
-  EXPECT_EQ(errors("<0>(a).mark == <0>(b).mark"), "J0240 `<0>(a).mark`: `==` needs one value, this is a list `[Bool]`\n" + note +
-                                                      "J0240 `<0>(b).mark`: `==` needs one value, this is a list `[Bool]`\n" + note);
+  EXPECT_EQ(errors("<0,1>(a).position - b.position"),
+            "J0240 `<0,1>(a).position`: `-` needs one value, this is a list `[Point3]`\n" + note);
+  EXPECT_EQ(errors("norm(<0,1>(a).normal)"),
+            "J0240 `<0,1>(a).normal`: `norm` needs one value, this is a list `[Vec3]`\n" + note);
+  EXPECT_EQ(errors("max(h, <0,1>(a).weight)"),
+            "J0240 `<0,1>(a).weight`: `max` needs one value, this is a list `[Real]`\n" + note);
+  EXPECT_EQ(errors("<0,1>(a).position.x"),
+            "J0240 `<0,1>(a).position`: `.x` needs one value, this is a list `[Point3]`\n" + note);
+  EXPECT_EQ(errors("<0>(a).mark == <0>(b).mark"),
+            "J0240 `<0>(a).mark`: `==` needs one value, this is a list `[Bool]`\n" + note +
+                "J0240 `<0>(b).mark`: `==` needs one value, this is a list `[Bool]`\n" + note);
 }
 
 TEST_F(Expressions, TheNumberOfArguments) {
@@ -109,63 +152,84 @@ TEST_F(Expressions, TheNumberOfArguments) {
             "= it is defined as `lerp(Real, Real, Real)`, `lerp(Vec2, Vec2, Real)`, `lerp(Vec3, Vec3, Real)`, "
             "`lerp(Point2, Point2, Real)`, `lerp(Point3, Point3, Real)`, `lerp(Color, Color, Real)`\n");
   EXPECT_EQ(errors("sqrt()"), "J0242 `sqrt`: `sqrt` takes 1 argument, not 0\n= it is defined as `sqrt(Real)`\n");
-  EXPECT_EQ(errors("min(1, 2, 3)"), "J0242 `min`: `min` takes 1 or 2 arguments, not 3\n"
-                                    "= it is defined as `min([Int])`, `min([Real])`, `min(Int, Int)`, `min(Real, Real)`\n");
+  EXPECT_EQ(errors("min(1, 2, 3)"),
+            "J0242 `min`: `min` takes 1 or 2 arguments, not 3\n"
+            "= it is defined as `min([Int])`, `min([Real])`, `min(Int, Int)`, `min(Real, Real)`\n");
 }
 
 TEST_F(Expressions, CallsOfOtherThings) {
   EXPECT_EQ(errors("nrom(u3)"), "J0207 `nrom`: unknown function `nrom`\n+ `nrom` -> `norm`\n");
   EXPECT_EQ(errors("laplacian(a)"), "J0207 `laplacian`: unknown function `laplacian`\n");
-  for (char const* name : {"x", "to_real", "h", "pi"}) EXPECT_EQ(errors(std::string(name) + "(h)").substr(0, 5), "J0207") << name;
-  EXPECT_EQ(errors("sew[2](a)"), "J0207 `sew`: `sew[…]` is not a function\n= rules are applied by operations, not by expressions\n");
-  EXPECT_EQ(errors("norm(v: u3)"), "J0240 `v`: the arguments of `norm` have no names\n= they are told apart by their order\n");
-  EXPECT_EQ(errors("a[0]"), "J0240 `a[0]`: an expression has nothing to index\n= `[…]` selects from the result of a rule, in an operation\n");
-  EXPECT_EQ(errors("norm(\"u3\")"), "J0240 `\"u3\"`: a string is not a value of an expression\n"
-                                    "= values are of type Bool, Int, Real, Vec2, Vec3, Point2, Point3 or Color\n");
+  for (char const* name : {"x", "to_real", "h", "pi"})
+    EXPECT_EQ(errors(std::string(name) + "(h)").substr(0, 5), "J0207") << name;
+  EXPECT_EQ(errors("sew[2](a)"),
+            "J0207 `sew`: `sew[…]` is not a function\n= rules are applied by operations, not by expressions\n");
+  EXPECT_EQ(errors("norm(v: u3)"),
+            "J0240 `v`: the arguments of `norm` have no names\n= they are told apart by their order\n");
+  EXPECT_EQ(
+      errors("a[0]"),
+      "J0240 `a[0]`: an expression has nothing to index\n= `[…]` selects from the result of a rule, in an operation\n");
+  EXPECT_EQ(errors("norm(\"u3\")"),
+            "J0240 `\"u3\"`: a string is not a value of an expression\n"
+            "= values are of type Bool, Int, Real, Vec2, Vec3, Point2, Point3 or Color\n");
 }
 
 TEST_F(Expressions, Components) {
-  EXPECT_EQ(errors("u3.w"), "J0241 `w`: `.w` is not defined for `Vec3`\n| `u3`: this is a `Vec3`\n= its components are `.x`, `.y`, `.z`\n");
-  EXPECT_EQ(errors("p2.z"), "J0241 `z`: `.z` is not defined for `Point2`\n| `p2`: this is a `Point2`\n= its components are `.x`, `.y`\n");
-  EXPECT_EQ(errors("red.x"), "J0241 `x`: `.x` is not defined for `Color`\n| `red`: this is a `Color`\n= its components are `.r`, `.g`, `.b`\n");
+  EXPECT_EQ(
+      errors("u3.w"),
+      "J0241 `w`: `.w` is not defined for `Vec3`\n| `u3`: this is a `Vec3`\n= its components are `.x`, `.y`, `.z`\n");
+  EXPECT_EQ(
+      errors("p2.z"),
+      "J0241 `z`: `.z` is not defined for `Point2`\n| `p2`: this is a `Point2`\n= its components are `.x`, `.y`\n");
+  EXPECT_EQ(errors("red.x"),
+            "J0241 `x`: `.x` is not defined for `Color`\n| `red`: this is a `Color`\n= its components are `.r`, `.g`, "
+            "`.b`\n");
   EXPECT_EQ(errors("u3.xy").substr(0, 10), "J0241 `xy`");
   EXPECT_EQ(errors("n.position"),
-            "J0241 `position`: `.position` is not defined for `Int`\n| `n`: this is an `Int`\n= an `Int` has no components\n");
+            "J0241 `position`: `.position` is not defined for `Int`\n| `n`: this is an `Int`\n= an `Int` has no "
+            "components\n");
 }
 
 // ---- Names and the map ----
 
 TEST_F(Expressions, UnknownNames) {
   EXPECT_EQ(errors("hh + 1"), "J0206 `hh`: unknown value `hh`\n+ `hh` -> `h`\n");
-  EXPECT_EQ(errors("nowhere"), "J0206 `nowhere`: unknown value `nowhere`\n"
-                               "= known here: `flag`, `n`, `h`, `u2`, `u3`, `p2`, `p3`, `red`, `a`, `b`, `pi`\n");
+  EXPECT_EQ(errors("nowhere"),
+            "J0206 `nowhere`: unknown value `nowhere`\n"
+            "= known here: `flag`, `n`, `h`, `u2`, `u3`, `p2`, `p3`, `red`, `a`, `b`, `pi`\n");
   EXPECT_EQ(errors("somewhere.position").substr(0, 17), "J0206 `somewhere`");
   EXPECT_EQ(errors("somewhere@0.position").substr(0, 17), "J0206 `somewhere`");
   EXPECT_EQ(errors("<0,1>(somewhere).position").substr(0, 17), "J0206 `somewhere`");
-  EXPECT_EQ(errors("mean"), "J0206 `mean`: `mean` is a function, not a value\n= it is called with its arguments: `mean(…)`\n");
+  EXPECT_EQ(errors("mean"),
+            "J0206 `mean`: `mean` is a function, not a value\n= it is called with its arguments: `mean(…)`\n");
 }
 
 TEST_F(Expressions, AnAddedNodeHasNoValuesBefore) {
-  std::string const report = "J0206 `c`: `c` is a node of the right side only\n| (c): `c` is added here\n"
-                             "= an expression sees the map before the rule is applied\n";
-  for (char const* text : {"c.position", "c@0.position", "<0,1>(c).position", "mean(<0,1>(c@2).position)", "c", "c.nothing"}) {
+  std::string const report =
+      "J0206 `c`: `c` is a node of the right side only\n| (c): `c` is added here\n"
+      "= an expression sees the map before the rule is applied\n";
+  for (char const* text :
+       {"c.position", "c@0.position", "<0,1>(c).position", "mean(<0,1>(c@2).position)", "c", "c.nothing"}) {
     EXPECT_EQ(errors(text), report) << text;
   }
 }
 
 TEST_F(Expressions, UnknownEmbeddings) {
   EXPECT_EQ(errors("a.positon"), "J0205 `positon`: unknown embedding `positon`\n+ `positon` -> `position`\n");
-  EXPECT_EQ(errors("<0,1>(a@0).height"), "J0205 `height`: unknown embedding `height`\n"
+  EXPECT_EQ(errors("<0,1>(a@0).temperature"),
+            "J0205 `temperature`: unknown embedding `temperature`\n"
             "= known here: `position`, `uv`, `color`, `mark`, `level`, `weight`, `normal`, `tangent`, `twisted`\n");
 }
 
 TEST_F(Expressions, ADartIsNotAValue) {
   std::string const note = "= a value at it is read with a dot, as in `.position`\n";
   EXPECT_EQ(errors("a"), "J0240 `a`: `a` is a dart, not a value\n" + note);
-  EXPECT_EQ(errors("norm(a - b)"), "J0240 `a`: `a` is a dart, not a value\n" + note + "J0240 `b`: `b` is a dart, not a value\n" + note);
+  EXPECT_EQ(errors("norm(a - b)"),
+            "J0240 `a`: `a` is a dart, not a value\n" + note + "J0240 `b`: `b` is a dart, not a value\n" + note);
   EXPECT_EQ(errors("1 + a@0"), "J0240 `a@0`: this is a dart, not a value\n" + note);
-  EXPECT_EQ(errors("mean(<0,1>(a))"), "J0240 `<0,1>(a)`: an orbit is not a value\n"
-                                      "= a dot and an embedding's name make it a list of values: `<0,1>(a).position`\n");
+  EXPECT_EQ(errors("mean(<0,1>(a))"),
+            "J0240 `<0,1>(a)`: an orbit is not a value\n"
+            "= a dot and an embedding's name make it a list of values: `<0,1>(a).position`\n");
 }
 
 TEST_F(Expressions, PathsAndOrbitsStartAtDarts) {
@@ -173,7 +237,8 @@ TEST_F(Expressions, PathsAndOrbitsStartAtDarts) {
   EXPECT_EQ(errors("h@0.position"), "J0243 `h`: `@` starts at a dart, this is a `Real`\n" + note);
   EXPECT_EQ(errors("a.position@0.position"), "J0243 `a.position`: `@` starts at a dart, this is a `Point3`\n" + note);
   EXPECT_EQ(errors("<0,1>(p3).position"), "J0243 `p3`: an orbit starts at a dart, this is a `Point3`\n" + note);
-  EXPECT_EQ(errors("<0,1>(<0>(a).level).position"), "J0243 `<0>(a).level`: an orbit starts at a dart, this is a list `[Int]`\n" + note);
+  EXPECT_EQ(errors("<0,1>(<0>(a).level).position"),
+            "J0243 `<0>(a).level`: an orbit starts at a dart, this is a list `[Int]`\n" + note);
   EXPECT_EQ(errors("<0,1>(a)@0.position"), "J0243 `<0,1>(a)`: `@` starts at a dart, this is an orbit\n");
   EXPECT_EQ(errors("<0,1>(<0>(a)).position"), "J0243 `<0>(a)`: an orbit starts at a dart, this is an orbit\n");
   EXPECT_EQ(errors("pi@0"), "J0243 `pi`: `@` starts at a dart, this is a `Real`\n" + note);
@@ -198,10 +263,12 @@ TEST_F(Expressions, NotYetImplemented) {
 TEST_F(Expressions, ADefaultIsAConstant) {
   EXPECT_EQ(constant_errors("h", Type::Real), "J0206 `h`: a default is a constant: it cannot read `h`\n");
   EXPECT_EQ(constant_errors("1 + a.weight", Type::Real), "J0206 `a`: a default is a constant: it cannot read `a`\n");
-  EXPECT_EQ(constant_errors("a@0.weight", Type::Real), "J0206 `a@0.weight`: a default is a constant: it cannot read the map\n");
+  EXPECT_EQ(constant_errors("a@0.weight", Type::Real),
+            "J0206 `a@0.weight`: a default is a constant: it cannot read the map\n");
   EXPECT_EQ(constant_errors("a@0", Type::Real), "J0206 `a@0`: a default is a constant: it cannot read the map\n");
   EXPECT_EQ(constant_errors("<0>(a)", Type::Real), "J0206 `<0>(a)`: a default is a constant: it cannot read the map\n");
-  EXPECT_EQ(constant_errors("mean(<0>(a).weight)", Type::Real), "J0206 `<0>(a).weight`: a default is a constant: it cannot read the map\n");
+  EXPECT_EQ(constant_errors("mean(<0>(a).weight)", Type::Real),
+            "J0206 `<0>(a).weight`: a default is a constant: it cannot read the map\n");
   EXPECT_EQ(constant_errors("0.5", Type::Color), "J0240 `0.5`: expected a `Color`, this is a `Real`\n");
   EXPECT_EQ(constant_errors("0.5", Type::Int), "J0240 `0.5`: expected an `Int`, this is a `Real`\n");
   EXPECT_EQ(constant_errors("Point3(0,0,0) + Point3(0,0,0)", Type::Point3).substr(0, 9), "J0241 `+`");
@@ -215,18 +282,21 @@ TEST_F(Expressions, TypeNames) {
     auto const file = sources_.add("type.jrule", name);
     return resolve_type({{name, {file, 0, static_cast<std::uint32_t>(name.size())}}, list}, diagnostics_);
   };
-  for (Type type : {Type::Bool, Type::Int, Type::Real, Type::Vec2, Type::Vec3, Type::Point2, Type::Point3, Type::Color}) {
+  for (Type type :
+       {Type::Bool, Type::Int, Type::Real, Type::Vec2, Type::Vec3, Type::Point2, Type::Point3, Type::Color}) {
     EXPECT_EQ(resolve(to_string(type)), type);
     EXPECT_TRUE(diagnostics_.all().empty());
   }
   EXPECT_FALSE(resolve("point3"));
   EXPECT_EQ(show_all(), "J0204 `point3`: unknown type `point3`\n+ `point3` -> `Point3`\n");
   EXPECT_FALSE(resolve("Quaternion"));
-  EXPECT_EQ(show_all(), "J0204 `Quaternion`: unknown type `Quaternion`\n"
-                        "= known here: `Bool`, `Int`, `Real`, `Vec2`, `Vec3`, `Point2`, `Point3`, `Color`\n");
+  EXPECT_EQ(show_all(),
+            "J0204 `Quaternion`: unknown type `Quaternion`\n"
+            "= known here: `Bool`, `Int`, `Real`, `Vec2`, `Vec3`, `Point2`, `Point3`, `Color`\n");
   EXPECT_FALSE(resolve("Dart"));
-  EXPECT_EQ(show_all(), "J0204 `Dart`: a `Dart` cannot be stored\n"
-                        "= a rule gets darts at its hooks, an expression by the nodes of the left side\n");
+  EXPECT_EQ(show_all(),
+            "J0204 `Dart`: a `Dart` cannot be stored\n"
+            "= a rule gets darts at its hooks, an expression by the nodes of the left side\n");
   EXPECT_FALSE(resolve("Point3", true));
   EXPECT_EQ(show_all(), "J0491 `Point3`: values of the list type `[Point3]` are not yet implemented\n");
 }
@@ -237,7 +307,8 @@ TEST_F(Expressions, MergePolicies) {
     auto const file = sources_.add("merge.jrule", name);
     return resolve_merge({name, {file, 0, static_cast<std::uint32_t>(name.size())}}, type, diagnostics_);
   };
-  for (Type type : {Type::Bool, Type::Int, Type::Real, Type::Vec2, Type::Vec3, Type::Point2, Type::Point3, Type::Color}) {
+  for (Type type :
+       {Type::Bool, Type::Int, Type::Real, Type::Vec2, Type::Vec3, Type::Point2, Type::Point3, Type::Color}) {
     bool const number = type == Type::Int || type == Type::Real;
     bool const mixed = type != Type::Bool && type != Type::Int;
     EXPECT_EQ(resolve("first", type), MergePolicy::first);
@@ -246,12 +317,15 @@ TEST_F(Expressions, MergePolicies) {
     EXPECT_EQ(resolve("max", type), number ? std::optional(MergePolicy::max) : std::nullopt);
   }
   EXPECT_FALSE(resolve("mean", Type::Bool));
-  EXPECT_EQ(show_all(), "J0405 `mean`: values of type `Bool` have no `mean`\n"
-                        "= `mean` merges values of type Real, Vec2, Vec3, Point2, Point3, Color\n");
+  EXPECT_EQ(show_all(),
+            "J0405 `mean`: values of type `Bool` have no `mean`\n"
+            "= `mean` merges values of type Real, Vec2, Vec3, Point2, Point3, Color\n");
   EXPECT_FALSE(resolve("min", Type::Point3));
-  EXPECT_EQ(show_all(), "J0405 `min`: values of type `Point3` have no `min`\n= `min` merges values of type Int, Real\n");
+  EXPECT_EQ(show_all(),
+            "J0405 `min`: values of type `Point3` have no `min`\n= `min` merges values of type Int, Real\n");
   EXPECT_FALSE(resolve("average", Type::Real));
-  EXPECT_EQ(show_all(), "J0405 `average`: unknown merge policy `average`\n= known here: `mean`, `min`, `max`, `first`\n");
+  EXPECT_EQ(show_all(),
+            "J0405 `average`: unknown merge policy `average`\n= known here: `mean`, `min`, `max`, `first`\n");
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ using ir::ExprPtr;
 inline ir::ExprType one(Type type) { return {type, false, false}; }
 inline ir::ExprType list_of(Type type) { return {type, true, false}; }
 
-// A rule on 3-G-maps with a name for a value of each type: left nodes `a` and `b`, of which `b` is deleted, and `c`, which
-// is added. The typed tree of an expression in its place, or in a default's where there is no rule.
+// A rule on 3-G-maps with a name for a value of each type: left nodes `a` and `b`, of which `b` is deleted, and `c`,
+// which is added. The typed tree of an expression in its place, or in a default's where there is no rule.
 class Expressions : public testing::Test {
  protected:
   Expressions() : group_(gmap(3)) {
@@ -24,10 +24,14 @@ class Expressions : public testing::Test {
     modeler->name = "M";
     modeler->model = gmap(3);
     OrbitType const vertex = orbit_of_dimensions({1, 2, 3}), edge = orbit_of_dimensions({0, 2, 3});
-    for (auto const& [name, orbit, type] : {std::tuple{"position", vertex, Type::Point3}, {"uv", vertex, Type::Point2},
-                                            {"color", edge, Type::Color}, {"mark", edge, Type::Bool},
-                                            {"level", vertex, Type::Int}, {"weight", vertex, Type::Real},
-                                            {"normal", orbit_of_dimensions({}), Type::Vec3}, {"tangent", edge, Type::Vec2},
+    for (auto const& [name, orbit, type] : {std::tuple{"position", vertex, Type::Point3},
+                                            {"uv", vertex, Type::Point2},
+                                            {"color", edge, Type::Color},
+                                            {"mark", edge, Type::Bool},
+                                            {"level", vertex, Type::Int},
+                                            {"weight", vertex, Type::Real},
+                                            {"normal", orbit_of_dimensions({}), Type::Vec3},
+                                            {"tangent", edge, Type::Vec2},
                                             {"twisted", OrbitType{{{{2}, {0}}, {{1}}}}, Type::Real}}) {
       EmbeddingSpec spec;
       spec.name = name;
@@ -36,9 +40,9 @@ class Expressions : public testing::Test {
       modeler->embeddings.push_back(std::move(spec));
     }
     rule_.modeler = modeler;
-    rule_.parameters = {{"flag", Type::Bool, {}},  {"n", Type::Int, {}},     {"h", Type::Real, {}},
-                        {"u2", Type::Vec2, {}},    {"u3", Type::Vec3, {}},   {"p2", Type::Point2, {}},
-                        {"p3", Type::Point3, {}},  {"red", Type::Color, {}}};
+    rule_.parameters = {{"flag", Type::Bool, {}}, {"n", Type::Int, {}},    {"h", Type::Real, {}},
+                        {"u2", Type::Vec2, {}},   {"u3", Type::Vec3, {}},  {"p2", Type::Point2, {}},
+                        {"p3", Type::Point3, {}}, {"red", Type::Color, {}}};
     rule_.nodes.resize(3);
     rule_.nodes[0].name = "a";
     rule_.nodes[1].name = "b";

@@ -30,7 +30,8 @@ TEST_F(Expressions, ArithmeticOfNumbers) {
 
 TEST_F(Expressions, ArithmeticOfVectors) {
   for (auto const& [v, type] : {std::pair{std::string("u2"), Type::Vec2}, {std::string("u3"), Type::Vec3}}) {
-    for (auto const& text : {v + " + " + v, v + " - " + v, "h * " + v, v + " * h", "n * " + v, v + " * n", v + " / h", v + " / n", "-" + v}) {
+    for (auto const& text : {v + " + " + v, v + " - " + v, "h * " + v, v + " * h", "n * " + v, v + " * n", v + " / h",
+                             v + " / n", "-" + v}) {
       expect_type(text, one(type));
     }
   }
@@ -44,7 +45,8 @@ TEST_F(Expressions, ArithmeticOfPoints) {
 }
 
 TEST_F(Expressions, ArithmeticOfColours) {
-  for (char const* text : {"red + red", "red - red", "h * red", "red * h", "2 * red", "red * 2", "red / h", "red / 2"}) {
+  for (char const* text :
+       {"red + red", "red - red", "h * red", "red * h", "2 * red", "red * 2", "red / h", "red / 2"}) {
     expect_type(text, one(Type::Color));
   }
 }
@@ -97,7 +99,8 @@ TEST_F(Expressions, ConstructorsAndComponents) {
   expect_type("Point2(0, 0)", one(Type::Point2));
   expect_type("Point3(0, 0, 0)", one(Type::Point3));
   expect_type("Color(1, 0.5, 0)", one(Type::Color));
-  for (char const* text : {"u2.x", "u2.y", "u3.x", "u3.y", "u3.z", "p2.x", "p2.y", "p3.x", "p3.y", "p3.z", "red.r", "red.g", "red.b"}) {
+  for (char const* text :
+       {"u2.x", "u2.y", "u3.x", "u3.y", "u3.z", "p2.x", "p2.y", "p3.x", "p3.y", "p3.z", "red.r", "red.g", "red.b"}) {
     expect_type(text, one(Type::Real));
   }
   EXPECT_EQ(print("a.position.z"), "(z a.position)");
@@ -105,16 +108,21 @@ TEST_F(Expressions, ConstructorsAndComponents) {
 }
 
 TEST_F(Expressions, Geometry) {
-  for (char const* text : {"dot(u2, u2)", "dot(u3, u3)", "norm(u2)", "norm(u3)", "distance(p2, p2)", "distance(p3, p3)"}) {
+  for (char const* text :
+       {"dot(u2, u2)", "dot(u3, u3)", "norm(u2)", "norm(u3)", "distance(p2, p2)", "distance(p3, p3)"}) {
     expect_type(text, one(Type::Real));
   }
   expect_type("cross(u3, u3)", one(Type::Vec3));
   expect_type("normalize(u2)", one(Type::Vec2));
   expect_type("normalize(u3)", one(Type::Vec3));
   expect_type("area_vector(<0,1>(a).position)", one(Type::Vec3));
-  for (auto const& [v, type] : {std::pair{std::string("h"), Type::Real}, {std::string("n"), Type::Real},
-                                {std::string("u2"), Type::Vec2}, {std::string("u3"), Type::Vec3}, {std::string("p2"), Type::Point2},
-                                {std::string("p3"), Type::Point3}, {std::string("red"), Type::Color}}) {
+  for (auto const& [v, type] : {std::pair{std::string("h"), Type::Real},
+                                {std::string("n"), Type::Real},
+                                {std::string("u2"), Type::Vec2},
+                                {std::string("u3"), Type::Vec3},
+                                {std::string("p2"), Type::Point2},
+                                {std::string("p3"), Type::Point3},
+                                {std::string("red"), Type::Color}}) {
     expect_type("midpoint(" + v + ", " + v + ")", one(type));
     expect_type("lerp(" + v + ", " + v + ", 0.5)", one(type));
   }
@@ -132,13 +140,18 @@ TEST_F(Expressions, Mathematics) {
 }
 
 TEST_F(Expressions, Aggregates) {
-  for (auto const& [name, type] : {std::pair{std::string("weight"), Type::Real}, {std::string("tangent"), Type::Vec2},
-                                   {std::string("normal"), Type::Vec3}, {std::string("uv"), Type::Point2},
-                                   {std::string("position"), Type::Point3}, {std::string("color"), Type::Color}}) {
+  for (auto const& [name, type] : {std::pair{std::string("weight"), Type::Real},
+                                   {std::string("tangent"), Type::Vec2},
+                                   {std::string("normal"), Type::Vec3},
+                                   {std::string("uv"), Type::Point2},
+                                   {std::string("position"), Type::Point3},
+                                   {std::string("color"), Type::Color}}) {
     expect_type("mean(<0,1>(a)." + name + ")", one(type));
   }
-  for (auto const& [name, type] : {std::pair{std::string("weight"), Type::Real}, {std::string("level"), Type::Int},
-                                   {std::string("tangent"), Type::Vec2}, {std::string("normal"), Type::Vec3}}) {
+  for (auto const& [name, type] : {std::pair{std::string("weight"), Type::Real},
+                                   {std::string("level"), Type::Int},
+                                   {std::string("tangent"), Type::Vec2},
+                                   {std::string("normal"), Type::Vec3}}) {
     expect_type("sum(<0,1>(a)." + name + ")", one(type));
   }
   for (char const* f : {"min", "max"}) {
@@ -199,11 +212,11 @@ TEST_F(Expressions, PathsOfOrientedMapsGoBackwards) {
 }
 
 TEST_F(Expressions, AListHasAValueForEachOrbitOfTheIntersection) {
-  EXPECT_EQ(print("<0,1>(a).position"), "<0,1>(a by <1>).position");       // a face: its vertices, by <1>
-  EXPECT_EQ(print("<0,1>(a@2).color"), "<0,1>(a@2 by <0>).color");         // its edges
-  EXPECT_EQ(print("<0,1>(a).normal"), "<0,1>(a by <>).normal");            // its darts
+  EXPECT_EQ(print("<0,1>(a).position"), "<0,1>(a by <1>).position");  // a face: its vertices, by <1>
+  EXPECT_EQ(print("<0,1>(a@2).color"), "<0,1>(a@2 by <0>).color");    // its edges
+  EXPECT_EQ(print("<0,1>(a).normal"), "<0,1>(a by <>).normal");       // its darts
   EXPECT_EQ(print("<>(a).position"), "<>(a by <>).position");
-  EXPECT_EQ(print("<1,2>(a).position"), "<1,2>(a by <1,2>).position");     // one value
+  EXPECT_EQ(print("<1,2>(a).position"), "<1,2>(a by <1,2>).position");  // one value
   EXPECT_EQ(print("<3,2,1,0>(a).position"), "<3,2,1,0>(a by <3,2,1>).position");
   EXPECT_EQ(print("<1,1,0>(a).position"), "<1,1,0>(a by <1>).position");
   EXPECT_EQ(print("face(a).position"), "<0,1,3>(a by <1,3>).position");
@@ -213,8 +226,8 @@ TEST_F(Expressions, AListHasAValueForEachOrbitOfTheIntersection) {
 }
 
 TEST_F(Expressions, AListOverOrbitsOfWords) {
-  EXPECT_EQ(print("<[2,0]>(a).twisted"), "<[2,0]>(a by <[0,2]>).twisted");    // the same element in both
-  EXPECT_EQ(print("<0,2>(a).twisted"), "<0,2>(a by <[0,2]>).twisted");        // a generator of the embedding's orbit only
+  EXPECT_EQ(print("<[2,0]>(a).twisted"), "<[2,0]>(a by <[0,2]>).twisted");  // the same element in both
+  EXPECT_EQ(print("<0,2>(a).twisted"), "<0,2>(a by <[0,2]>).twisted");      // a generator of the embedding's orbit only
   EXPECT_EQ(print("<[1,2]>(a).position"), "<[1,2]>(a by <[1,2]>).position");  // a generator of the list's orbit only
   EXPECT_EQ(print("<[1,2],[2,1]>(a).position"), "<[1,2],[2,1]>(a by <[1,2]>).position");  // inverse of each other
   EXPECT_EQ(print("<[0,1]>(a).position"), "<[0,1]>(a by <>).position");

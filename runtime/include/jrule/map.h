@@ -89,8 +89,8 @@ class Map {
   std::vector<Embedding> embeddings_;
 };
 
-/// The darts of ⟨o⟩(d), d first, breadth first, words in their order and forwards. O(orbit size · words), and a pass to
-/// clear marks of that size.
+/// The darts of ⟨o⟩(d), d first, depth first, words in their order and forwards: so the darts of a closed face or vertex come
+/// in their cyclic order. O(orbit size · words).
 std::vector<Dart> orbit(Map const& map, OrbitType const& type, Dart d);
 /// The orbit of each dart, numbered by smallest dart; `no_orbit` for erased darts. O(darts · words).
 struct OrbitNumbers {

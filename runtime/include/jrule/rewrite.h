@@ -87,7 +87,7 @@ void assign_orbit(Map& map, std::size_t embedding, Dart d, Handle value, Workspa
 /// embedding's policy. `reserve_values` must have made room for one value.
 void merge_orbit(Map& map, std::size_t embedding, Dart d, Workspace& workspace) noexcept;
 
-/// One dart for each ⟨by⟩-orbit inside ⟨type⟩(d), breadth first; ⟨by⟩ must be a subgroup of ⟨type⟩. O(orbit · words).
+/// One dart for each ⟨by⟩-orbit inside ⟨type⟩(d), in the order of orbit(); ⟨by⟩ must be a subgroup of ⟨type⟩. O(orbit · words).
 std::vector<Dart> representatives(Map const& map, OrbitType const& type, OrbitType const& by, Dart d);
 
 /// The errors of a rule that does not match.

@@ -1,0 +1,157 @@
+#include "compiler/backend/cpp/expression.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "compiler/backend/cpp/text.h"
+
+namespace jrule::cpp {
+
+using ir::Builtin;
+
+namespace {
+
+// How tightly C++ binds an expression's outermost operator.
+enum Binding { conditional, disjunction, conjunction, comparison, sum, product, unary, primary };
+
+struct Code {
+  std::string text;
+  Binding binding = primary;
+};
+
+std::string bound(Code const& code, Binding least) { return code.binding < least ? '(' + code.text + ')' : code.text; }
+
+struct Printer {
+  Function const& f;
+  Where where;
+
+  std::string dart(ir::NodeId node, Word const& path) const {
+    std::string start = f.dart(node);
+    if (where == Where::at_hooks) start = f.node(node).hook ? f.hooks[*f.node(node).hook] : f.darts[node] + "[0]";
+    return walk(f.map, start, path);
+  }
+
+  std::string orbit_type(OrbitType const& type) const { return type.words.empty() ? "{}" : f.orbit_types.at(type); }
+
+  Code print(ir::Expr const& expr) const {
+    return std::visit([&](auto const& node) { return print_node(node); }, expr.value);
+  }
+
+  static Code constant(std::string text) { return {text, text.front() == '-' ? unary : primary}; }
+
+  Code print_node(ir::Constant const& c) const { return constant(literal(c.value)); }
+  Code print_node(ir::ParameterRef const& p) const { return {f.parameters[p.index]}; }
+  Code print_node(ir::LetRef const& l) const { return {f.lets[l.index]}; }
+  Code print_node(ir::ValueAt const& v) const { return {fmt::format("{}[{}]", f.values[v.embedding], dart(v.node, v.path))}; }
+  Code print_node(ir::Collect const& c) const {
+    return {fmt::format("{}.over({}, {}, {}, {})", f.values[c.embedding], f.map, orbit_type(c.orbit), orbit_type(c.by), dart(c.node, c.path))};
+  }
+  Code print_node(ir::Conditional const& c) const {
+    return {fmt::format("{} ? {} : {}", bound(print(*c.condition), disjunction), bound(print(*c.then_value), disjunction),
+                        bound(print(*c.else_value), disjunction)),
+            conditional};
+  }
+
+  // Of equal binding, the left operand needs no brackets; of comparisons, neither may stand bare.
+  Code infix(char const* op, Binding binding, ir::Apply const& a) const {
+    auto const tighter = static_cast<Binding>(binding + 1);
+    Binding const left = binding == comparison || binding == disjunction ? static_cast<Binding>(comparison + (binding == comparison)) : binding;
+    Binding const right = binding == disjunction ? comparison : tighter;
+    return {fmt::format("{} {} {}", bound(print(*a.arguments[0]), left), op, bound(print(*a.arguments[1]), right)), binding};
+  }
+
+  Code call(std::string const& function, ir::Apply const& a) const {
+    std::vector<std::string> arguments;
+    for (ir::ExprPtr const& argument : a.arguments) arguments.push_back(print(*argument).text);
+    return {fmt::format("{}({})", function, fmt::join(arguments, ", "))};
+  }
+
+  Code construct(ir::Apply const& a, Type type) const {
+    Code code = call(type_name(type), a);
+    code.text[type_name(type).size()] = '{';
+    code.text.back() = '}';
+    return code;
+  }
+
+  Code component(ir::Apply const& a, std::size_t k) const {
+    std::string const names = a.arguments[0]->type.element == Type::Color ? "rgb" : "xyz";
+    return {fmt::format("{}.{}", bound(print(*a.arguments[0]), primary), names[k])};
+  }
+
+  Code to_real(ir::Apply const& a) const {
+    if (auto const* c = std::get_if<ir::Constant>(&a.arguments[0]->value)) {
+      return constant(literal(static_cast<double>(std::get<std::int64_t>(c->value))));
+    }
+    return call("static_cast<double>", a);
+  }
+
+  // A list of Bool is a list of bytes.
+  Code first(ir::Apply const& a) const {
+    std::string const front = bound(print(*a.arguments[0]), primary) + ".front()";
+    return a.arguments[0]->type.element == Type::Bool ? Code{front + " != 0", comparison} : Code{front};
+  }
+
+  Code print_node(ir::Apply const& a) const {
+    bool const integer = a.arguments[0]->type == ir::ExprType{Type::Int};
+    switch (a.function) {
+      // Int arithmetic wraps around.
+      case Builtin::add: return integer ? call("jrule::add", a) : infix("+", sum, a);
+      case Builtin::subtract: return integer ? call("jrule::subtract", a) : infix("-", sum, a);
+      case Builtin::multiply: return integer ? call("jrule::multiply", a) : infix("*", product, a);
+      case Builtin::divide: return infix("/", product, a);
+      case Builtin::negate: return integer ? call("jrule::negate", a) : Code{"-" + bound(print(*a.arguments[0]), primary), unary};
+      case Builtin::less: return infix("<", comparison, a);
+      case Builtin::less_equal: return infix("<=", comparison, a);
+      case Builtin::greater: return infix(">", comparison, a);
+      case Builtin::greater_equal: return infix(">=", comparison, a);
+      case Builtin::equal: return infix("==", comparison, a);
+      case Builtin::not_equal: return infix("!=", comparison, a);
+      case Builtin::logical_and: return infix("&&", conjunction, a);
+      case Builtin::logical_or: return infix("||", disjunction, a);
+      case Builtin::logical_not: return {"!" + bound(print(*a.arguments[0]), primary), unary};
+      case Builtin::to_real: return to_real(a);
+      case Builtin::vec2: return construct(a, Type::Vec2);
+      case Builtin::vec3: return construct(a, Type::Vec3);
+      case Builtin::point2: return construct(a, Type::Point2);
+      case Builtin::point3: return construct(a, Type::Point3);
+      case Builtin::color: return construct(a, Type::Color);
+      case Builtin::component_0: return component(a, 0);
+      case Builtin::component_1: return component(a, 1);
+      case Builtin::component_2: return component(a, 2);
+      case Builtin::sqrt:
+      case Builtin::floor:
+      case Builtin::ceil:
+      case Builtin::sin:
+      case Builtin::cos:
+      case Builtin::tan:
+      case Builtin::atan2:
+      case Builtin::pow:
+      case Builtin::exp:
+      case Builtin::log: return call(fmt::format("std::{}", ir::spelling(a.function)), a);
+      case Builtin::count: return {fmt::format("static_cast<std::int64_t>({}.size())", bound(print(*a.arguments[0]), primary))};
+      case Builtin::first: return first(a);
+      case Builtin::all:
+      case Builtin::any: return call(fmt::format("jrule::rewrite::{}", ir::spelling(a.function)), a);
+      case Builtin::dot:
+      case Builtin::cross:
+      case Builtin::norm:
+      case Builtin::normalize:
+      case Builtin::midpoint:
+      case Builtin::lerp:
+      case Builtin::distance:
+      case Builtin::area_vector:
+      case Builtin::abs:
+      case Builtin::mean:
+      case Builtin::sum:
+      case Builtin::min:
+      case Builtin::max: break;
+    }
+    return call(fmt::format("jrule::{}", ir::spelling(a.function)), a);
+  }
+};
+
+}  // namespace
+
+std::string expression(ir::Expr const& expr, Function const& f, Where where) { return Printer{f, where}.print(expr).text; }
+
+}  // namespace jrule::cpp

@@ -1,0 +1,16 @@
+// Expressions as C++: the same functions of jrule/value.h that the interpreter calls, so that both agree to the last bit.
+#pragma once
+
+#include <string>
+
+#include "compiler/backend/cpp/function.h"
+
+namespace jrule::cpp {
+
+/// Where an expression is evaluated: at the hooks, or at the pattern dart of the surrounding loop's index.
+enum class Where { at_hooks, in_loop };
+
+/// The expression, fit to stand as an argument or behind `=` or `return`.
+std::string expression(ir::Expr const& expr, Function const& f, Where where);
+
+}  // namespace jrule::cpp

@@ -1,0 +1,109 @@
+#include "compiler/backend/cpp/function.h"
+
+#include <fmt/format.h>
+
+#include "compiler/backend/cpp/text.h"
+
+namespace jrule::cpp {
+
+using Kind = analysis::OrbitComponent::Kind;
+
+Function::Function(Rule const& accepted, source::Sources const& files, PublicNames public_names, Scope taken)
+    : rule(*accepted.scheme), plan(*accepted.plan), sources(files), names(std::move(public_names)), scope(std::move(taken)) {
+  // First what the caller sees: it keeps its names, the rest gives way.
+  for (ir::NodeId const hook : rule.hooks) hooks.push_back(scope.take(node(hook).name));
+  for (ir::Parameter const& p : rule.parameters) parameters.push_back(scope.take(p.name));
+  modeler = scope.take(snake_case(names.class_name));
+  map = scope.take("map");
+  workspace = scope.take("workspace");
+  size = scope.take("n");
+  index = scope.take("k");
+  for (char const* local : {"at", "to", "expected", "u", "added", "generators", "matches", "commit", "first"}) scope.take(local);
+  for (ir::Let const& let : rule.lets) lets.push_back(scope.take(let.name));
+
+  Scope member_names;
+  member_names.reserve("copies");
+  for (ir::Node const& n : rule.nodes) {
+    darts.push_back(scope.take((n.added() ? "added_" : "match_") + n.name));
+    members.push_back(n.deleted() ? "" : member_names.take(n.name));
+  }
+  name_columns();
+
+  std::size_t const embedding_count = rule.modeler->embeddings.size();
+  reads_embedding.resize(embedding_count);
+  uses_embedding.resize(embedding_count);
+  adds_values.resize(embedding_count);
+  uses_parameter.resize(rule.parameters.size());
+  uses_let.resize(rule.lets.size());
+  for (EmbeddingSpec const& e : rule.modeler->embeddings) {
+    embeddings.push_back(scope.take(e.name));
+    values.push_back(scope.take(e.name + "_of"));
+    new_values.push_back(scope.take("new_" + e.name));
+  }
+  for (auto const& component : plan.orbits) {
+    std::string const name = fmt::format("{}_{}", spec(component.embedding).name, node(component.members.front().node).name);
+    orbits.push_back(scope.take("orbit_" + name));
+    handles.push_back(scope.take("handle_" + name));
+    uses_embedding[component.embedding] = true;
+    if (component.kind == Kind::fresh || component.kind == Kind::assign) {
+      adds_values[component.embedding] = true;
+      if (component.clause) use(*rule.clauses[*component.clause].value);
+    }
+  }
+  for (ir::Let const& let : rule.lets) use(*let.value);
+  for (ir::ExprPtr const& requirement : rule.requirements) use(*requirement);
+}
+
+void Function::use(ir::Expr const& expr) {
+  if (auto const* p = std::get_if<ir::ParameterRef>(&expr.value)) {
+    uses_parameter[p->index] = true;
+  } else if (auto const* l = std::get_if<ir::LetRef>(&expr.value)) {
+    uses_let[l->index] = true;
+  } else if (auto const* v = std::get_if<ir::ValueAt>(&expr.value)) {
+    reads_embedding[v->embedding] = uses_embedding[v->embedding] = true;
+  } else if (auto const* c = std::get_if<ir::Collect>(&expr.value)) {
+    reads_embedding[c->embedding] = uses_embedding[c->embedding] = true;
+    for (OrbitType const* type : {&c->orbit, &c->by}) {
+      if (type->words.empty() || orbit_types.contains(*type)) continue;
+      std::string name = "orbit";
+      for (Word const& word : type->words) name += "_" + name_part(word);
+      orbit_types[*type] = scope.take(name);
+    }
+  } else if (auto const* a = std::get_if<ir::Apply>(&expr.value)) {
+    for (ir::ExprPtr const& argument : a->arguments) use(*argument);
+  } else if (auto const* c = std::get_if<ir::Conditional>(&expr.value)) {
+    for (ir::ExprPtr const* part : {&c->condition, &c->then_value, &c->else_value}) use(**part);
+  }
+}
+
+void Function::name_columns() {
+  auto const add = [&](Word const& word) {
+    if (!word.empty() && !columns.contains(word)) columns[word] = scope.take("at_" + name_part(word));
+  };
+  for (auto const& hook : plan.further_hooks) {
+    for (auto const& loop : hook.loops) add(loop.word);
+  }
+  for (auto const& step : plan.steps) add(step.word);
+  for (auto const& check : plan.checks) add(check.word);
+  for (ir::Arc const& arc : plan.writes) add(arc.word);
+  for (auto const& component : plan.orbits) {
+    if (component.kind == Kind::fresh) {
+      for (auto const& member : component.members) add(member.path);
+    }
+    bool const by_orbits = component.kind == Kind::merge || component.clause;
+    if (by_orbits) {
+      for (Word const& generator : component.generators) add(generator);
+    }
+    for (auto const& source : component.sources) add(source.word);
+  }
+}
+
+std::string Function::at(Word const& word) const {
+  return word.empty() ? index : fmt::format("{}[{}]", columns.at(word), index);
+}
+
+std::string Function::dart(ir::NodeId id, Word const& word) const { return fmt::format("{}[{}]", darts[id], at(word)); }
+
+std::string Function::loop() const { return fmt::format("for (std::size_t {0} = 0; {0} < {1}; ++{0})", index, size); }
+
+}  // namespace jrule::cpp

@@ -1,0 +1,74 @@
+// What the parts of a rule's function share: the rule, and the C++ names of all that it mentions.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "compiler/analysis/plan.h"
+#include "compiler/backend/cpp/emit.h"
+#include "compiler/backend/cpp/names.h"
+
+namespace jrule::cpp {
+
+/// The names that a rule brings into its namespace.
+struct PublicNames {
+  std::string function;    ///< "cone"
+  std::string everywhere;  ///< "cone_everywhere"; empty unless the rule has one hook
+  std::string result;      ///< "ConeResult"
+  std::string modeler;     ///< the class that it works on, as it is called here: "Surface", "::base::Surface"
+  std::string class_name;  ///< the same without its namespace
+};
+
+struct Function {
+  ir::RuleScheme const& rule;
+  analysis::Plan const& plan;
+  source::Sources const& sources;
+  PublicNames names;
+
+  // Parameters.
+  std::string modeler;                  ///< "surface"
+  std::vector<std::string> hooks;       ///< in order of declaration
+  std::vector<std::string> parameters;
+  // Local variables.
+  std::string map, workspace, size, index;         ///< "map", "workspace", "n", "k"
+  std::vector<std::string> darts;                  ///< by node: the vector of its copies
+  std::map<Word, std::string> columns;             ///< of the words that are used, without ε
+  std::vector<std::string> lets;
+  std::vector<std::string> embeddings, values, new_values;
+  std::map<OrbitType, std::string> orbit_types;    ///< those that expressions collect over
+  std::vector<std::string> orbits, handles;        ///< by component of the plan
+  std::vector<std::string> members;                ///< by node: its name in the result
+
+  // What of these is used.
+  std::vector<bool> reads_embedding, uses_embedding, adds_values;
+  std::vector<bool> uses_parameter, uses_let;
+
+  Scope scope;
+
+  Function(Rule const& rule, source::Sources const& sources, PublicNames names, Scope scope);
+
+  ir::Node const& node(ir::NodeId id) const { return rule.nodes[id]; }
+  EmbeddingSpec const& spec(std::size_t e) const { return rule.modeler->embeddings[e]; }
+  /// "match_a[k]", "match_a[at_2[k]]".
+  std::string dart(ir::NodeId id, Word const& word = {}) const;
+  /// The index of u_k·word: "k", "at_2[k]".
+  std::string at(Word const& word) const;
+  /// "for (std::size_t k = 0; k < n; ++k)".
+  std::string loop() const;
+
+ private:
+  void use(ir::Expr const& expr);
+  void name_columns();
+};
+
+/// What the user writes in a call after the modeler: "jrule::Dart a, jrule::Point3 apex". Hooks can be left out.
+enum class Defaults { with, without };
+std::vector<std::string> value_parameters(Function const& f, Defaults defaults);
+
+/// The declaration of the rule's result and functions.
+std::string declare(Function const& f);
+/// Their definitions.
+std::string define(Function const& f);
+
+}  // namespace jrule::cpp
