@@ -139,9 +139,10 @@ class FileParser {
 
   void item(Piece const& piece, std::optional<Piece> const& next) {
     if (piece.too_deep) {
+      bool const is_if = text_[*piece.too_deep] == 'i';
       add({.code = Code::nesting_too_deep,
-           .span = place(*piece.too_deep, *piece.too_deep + (text_[*piece.too_deep] == 'i' ? 2 : 1)),
-           .message = fmt::format("more than {} brackets are open here", nesting_limit)});
+           .span = place(*piece.too_deep, *piece.too_deep + (is_if ? 2 : 1)),
+           .message = fmt::format("more than {} brackets{} are open here", nesting_limit, is_if ? " and `if`s" : "")});
       return;
     }
     if (piece.open_comment) return open_comment(*piece.open_comment);

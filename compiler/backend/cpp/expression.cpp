@@ -52,11 +52,11 @@ struct Printer {
             conditional};
   }
 
-  // Of equal binding, the left operand needs no brackets; of comparisons, neither may stand bare.
+  // Of equal binding, the left operand needs no brackets. Compilers warn of comparisons that are compared, and of && in ||.
   Code infix(char const* op, Binding binding, ir::Apply const& a) const {
-    auto const tighter = static_cast<Binding>(binding + 1);
-    Binding const left = binding == comparison || binding == disjunction ? static_cast<Binding>(comparison + (binding == comparison)) : binding;
-    Binding const right = binding == disjunction ? comparison : tighter;
+    Binding left = binding, right = static_cast<Binding>(binding + 1);
+    if (binding == comparison) left = sum;
+    if (binding == disjunction) left = right = comparison;
     return {fmt::format("{} {} {}", bound(print(*a.arguments[0]), left), op, bound(print(*a.arguments[1]), right)), binding};
   }
 

@@ -18,11 +18,13 @@ Function::Function(Rule const& accepted, source::Sources const& files, PublicNam
   workspace = scope.take("workspace");
   size = scope.take("n");
   index = scope.take("k");
-  for (char const* local : {"at", "to", "expected", "u", "added", "generators", "matches", "commit", "first"}) scope.take(local);
+  for (char const* name : {"at", "to", "expected", "u", "added", "generators", "matches", "twice", "commit", "first"}) locals[name] = scope.take(name);
   for (ir::Let const& let : rule.lets) lets.push_back(scope.take(let.name));
 
+  for (ir::NodeId const hook : rule.hooks) hook_loops.push_back(scope.take("loops_" + node(hook).name));
+
   Scope member_names;
-  member_names.reserve("copies");
+  for (std::string const& name : {std::string("copies"), std::string("Copies"), names.result}) member_names.reserve(name);
   for (ir::Node const& n : rule.nodes) {
     darts.push_back(scope.take((n.added() ? "added_" : "match_") + n.name));
     members.push_back(n.deleted() ? "" : member_names.take(n.name));
@@ -43,7 +45,12 @@ Function::Function(Rule const& accepted, source::Sources const& files, PublicNam
   for (auto const& component : plan.orbits) {
     std::string const name = fmt::format("{}_{}", spec(component.embedding).name, node(component.members.front().node).name);
     orbits.push_back(scope.take("orbit_" + name));
+    orbit_generators.push_back(scope.take("generators_" + name));
     handles.push_back(scope.take("handle_" + name));
+    inherited.emplace_back();
+    for (auto const& source : component.sources) {
+      inherited.back().push_back(scope.take(fmt::format("handle_{}_{}", spec(component.embedding).name, node(source.added).name)));
+    }
     uses_embedding[component.embedding] = true;
     if (component.kind == Kind::fresh || component.kind == Kind::assign) {
       adds_values[component.embedding] = true;

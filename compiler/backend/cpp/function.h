@@ -33,11 +33,14 @@ struct Function {
   // Local variables.
   std::string map, workspace, size, index;         ///< "map", "workspace", "n", "k"
   std::vector<std::string> darts;                  ///< by node: the vector of its copies
+  std::map<std::string, std::string, std::less<>> locals;  ///< further ones, by what they hold: "expected"
   std::map<Word, std::string> columns;             ///< of the words that are used, without ε
   std::vector<std::string> lets;
   std::vector<std::string> embeddings, values, new_values;
   std::map<OrbitType, std::string> orbit_types;    ///< those that expressions collect over
-  std::vector<std::string> orbits, handles;        ///< by component of the plan
+  std::vector<std::string> hook_loops;             ///< by hook
+  std::vector<std::string> orbits, orbit_generators, handles;  ///< by component of the plan
+  std::vector<std::vector<std::string>> inherited; ///< by component, then source
   std::vector<std::string> members;                ///< by node: its name in the result
 
   // What of these is used.
@@ -50,6 +53,7 @@ struct Function {
 
   ir::Node const& node(ir::NodeId id) const { return rule.nodes[id]; }
   EmbeddingSpec const& spec(std::size_t e) const { return rule.modeler->embeddings[e]; }
+  std::string const& local(std::string_view name) const { return locals.find(name)->second; }
   /// "match_a[k]", "match_a[at_2[k]]".
   std::string dart(ir::NodeId id, Word const& word = {}) const;
   /// The index of u_k·word: "k", "at_2[k]".

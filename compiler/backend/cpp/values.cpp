@@ -1,0 +1,132 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "compiler/backend/cpp/expression.h"
+#include "compiler/backend/cpp/sections.h"
+#include "compiler/backend/cpp/text.h"
+
+namespace jrule::cpp {
+
+using Kind = analysis::OrbitComponent::Kind;
+
+namespace {
+
+std::string declared_type(ir::ExprType const& type) {
+  if (!type.list) return type_name(type.element);
+  return fmt::format("std::vector<{}>", type.element == Type::Bool ? "std::uint8_t" : type_name(type.element));
+}
+
+void write_views(Writer& out, Function const& f) {
+  for (auto const& [type, name] : f.orbit_types) {
+    out.line("static jrule::OrbitType const {} = {};", name, orbit_expression(type));
+  }
+  for (std::size_t e = 0; e < f.embeddings.size(); ++e) {
+    std::string const type = type_name(f.spec(e).type);
+    if (f.reads_embedding[e]) out.line("jrule::rewrite::Values<{}> const {}({});", type, f.values[e], f.embeddings[e]);
+    if (f.adds_values[e]) out.line("jrule::rewrite::NewValues<{}> {}({});", type, f.new_values[e], f.embeddings[e]);
+  }
+}
+
+void write_conditions(Writer& out, Function const& f) {
+  for (std::size_t i = 0; i < f.rule.lets.size(); ++i) {
+    ir::Expr const& value = *f.rule.lets[i].value;
+    out.line("// {}", place(f.sources, value.span));
+    out.line("{}{} const {} = {};", f.uses_let[i] ? "" : "[[maybe_unused]] ", declared_type(value.type), f.lets[i],
+             expression(value, f, Where::at_hooks));
+  }
+  for (ir::ExprPtr const& requirement : f.rule.requirements) {
+    out.line("// {}", place(f.sources, requirement->span));
+    out.open("if (!({})) {{", expression(*requirement, f, Where::at_hooks));
+    out.line("return tl::unexpected(jrule::rewrite::requirement_failed({}, {}));", literal(f.rule.name), literal(ir::print(*requirement, f.rule)));
+    out.close();
+  }
+}
+
+void write_orbits(Writer& out, Function const& f, std::size_t c) {
+  auto const& component = f.plan.orbits[c];
+  if (component.generators.empty()) return;
+  std::vector<std::string> generators;
+  for (Word const& word : component.generators) generators.push_back('&' + f.columns.at(word));
+  out.line("jrule::rewrite::Column const* const {}[] = {{{}}};", f.orbit_generators[c], fmt::join(generators, ", "));
+  out.line("jrule::rewrite::Column const {} = jrule::rewrite::pattern_orbits({}, {});", f.orbits[c], f.size, f.orbit_generators[c]);
+}
+
+// One new value for each orbit, made at the first of its pattern darts.
+void write_clause(Writer& out, Function const& f, std::size_t c) {
+  auto const& component = f.plan.orbits[c];
+  std::string const add = fmt::format("{}.add({})", f.new_values[component.embedding],
+                                      expression(*f.rule.clauses[*component.clause].value, f, Where::in_loop));
+  std::string const& handle = f.handles[c];
+  out.line("std::vector<jrule::Handle> {}({});", handle, f.size);
+  if (component.generators.empty()) {
+    out.line("{} {}[{}] = {};", f.loop(), handle, f.index, add);
+    return;
+  }
+  out.open("{} {{", f.loop());
+  out.line("std::size_t const {} = {}[{}];", f.local("first"), f.orbits[c], f.index);
+  out.line("{0}[{1}] = {2} == {1} ? {3} : {0}[{2}];", handle, f.index, f.local("first"), add);
+  out.close();
+}
+
+void write_inherited(Writer& out, Function const& f, std::size_t c) {
+  auto const& component = f.plan.orbits[c];
+  std::vector<std::string> handles;
+  for (std::string const& name : f.inherited[c]) handles.push_back(fmt::format("{}({})", name, f.size));
+  out.line("std::vector<jrule::Handle> {};", fmt::join(handles, ", "));
+  out.open("{} {{", f.loop());
+  for (std::size_t i = 0; i < component.sources.size(); ++i) {
+    auto const& source = component.sources[i];
+    out.line("{}[{}] = {}.handle({});", f.inherited[c][i], f.index, f.embeddings[component.embedding],
+             walk(f.map, f.dart(source.preserved, source.word), source.tail));
+  }
+  out.close();
+}
+
+void write_component(Writer& out, Function const& f, std::size_t c) {
+  auto const& component = f.plan.orbits[c];
+  ir::Node const& root = f.node(component.members.front().node);
+  EmbeddingSpec const& spec = f.spec(component.embedding);
+  source::Span const span = component.clause ? f.rule.clauses[*component.clause].span : root.right_span.value_or(root.span());
+  std::string const where = place(f.sources, span);
+  out.line();
+  switch (component.kind) {
+    case Kind::fresh:
+      if (!component.clause) {
+        out.line("// {}: {}.{} by default", where, root.name, spec.name);
+        out.line("jrule::Handle const {} = {}.add({});", f.handles[c], f.new_values[component.embedding], literal(*spec.default_value));
+        return;
+      }
+      [[fallthrough]];
+    case Kind::assign:
+      out.line("// {}: {}.{}", where, root.name, spec.name);
+      write_orbits(out, f, c);
+      write_clause(out, f, c);
+      return;
+    case Kind::merge:
+      out.line("// {}: {}.{} of orbits that may become one", where, root.name, spec.name);
+      write_orbits(out, f, c);
+      return;
+    case Kind::inherit:
+      out.line("// {}: {} of the orbit that is joined", where, spec.name);
+      write_inherited(out, f, c);
+      return;
+  }
+}
+
+}  // namespace
+
+void write_values(Writer& out, Function const& f) {
+  bool any = !f.rule.lets.empty() || !f.rule.requirements.empty();
+  for (auto const& component : f.plan.orbits) any = any || component.kind != Kind::merge || !component.generators.empty();
+  if (!any) return;
+  out.line();
+  out.line("// ---- Plan: conditions and new values, read from the map as it is ----");
+  out.line();
+  write_views(out, f);
+  write_conditions(out, f);
+  for (std::size_t c = 0; c < f.plan.orbits.size(); ++c) {
+    if (f.plan.orbits[c].kind != Kind::merge || !f.plan.orbits[c].generators.empty()) write_component(out, f, c);
+  }
+}
+
+}  // namespace jrule::cpp
