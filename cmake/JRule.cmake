@@ -1,0 +1,70 @@
+# For users' builds: C++ from .jrule files.
+#
+#   add_executable(refine main.cpp)
+#   jrule_add_rules(refine RULES surface.jrule)
+#
+# Works alike in jrule's own tree, with jrule as a subdirectory of a project, and with the compiler of another build
+# (-DJRULE_EXECUTABLE=…, when compiling for another machine).
+
+set(JRULE_EXECUTABLE "" CACHE FILEPATH "The jrule compiler to run; empty: the one that this build makes")
+
+# jrule_add_rules(target RULES file.jrule ... [IMPORT_DIRS dir ...] [NAMESPACE my::ops] [HEADER_PREFIX my/ops])
+#
+# Compiles each file into <name>.h and <name>.cpp, and adds them to the target: `#include "<name>.h"`, or
+# "my/ops/<name>.h" with HEADER_PREFIX. A file is compiled again when it or a module that it imports changes. A rule that
+# jrule refuses stops the build at its line.
+function(jrule_add_rules target)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "NAMESPACE;HEADER_PREFIX" "RULES;IMPORT_DIRS")
+  if(ARG_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "jrule_add_rules(${target}): unknown arguments ${ARG_UNPARSED_ARGUMENTS}")
+  endif()
+  if(NOT ARG_RULES)
+    message(FATAL_ERROR "jrule_add_rules(${target}): RULES names no files")
+  endif()
+
+  set(include_dir "${CMAKE_CURRENT_BINARY_DIR}/jrule/${target}")
+  set(output_dir "${include_dir}")
+  set(flags)
+  if(ARG_HEADER_PREFIX)
+    string(APPEND output_dir "/${ARG_HEADER_PREFIX}")
+    list(APPEND flags --header-prefix "${ARG_HEADER_PREFIX}")
+  endif()
+  if(ARG_NAMESPACE)
+    list(APPEND flags --namespace "${ARG_NAMESPACE}")
+  endif()
+  foreach(dir IN LISTS ARG_IMPORT_DIRS)
+    get_filename_component(dir "${dir}" ABSOLUTE)
+    list(APPEND flags -I "${dir}")
+  endforeach()
+  # With unchanged output Ninja stops there. Make compares times: it would run the compiler again for ever.
+  if(CMAKE_GENERATOR MATCHES "Ninja")
+    list(APPEND flags --write-if-changed)
+  endif()
+
+  if(JRULE_EXECUTABLE)
+    set(compiler "${JRULE_EXECUTABLE}")
+  else()
+    set(compiler jrule)
+  endif()
+
+  foreach(rules IN LISTS ARG_RULES)
+    get_filename_component(source "${rules}" ABSOLUTE)
+    get_filename_component(name "${rules}" NAME_WLE)
+    set(generated "${output_dir}/${name}.cpp" "${output_dir}/${name}.h")
+    add_custom_command(
+      OUTPUT ${generated}
+      COMMAND "${compiler}" emit cpp "${source}" -o "${output_dir}" --depfile "${output_dir}/${name}.d" ${flags}
+      MAIN_DEPENDENCY "${source}"
+      DEPENDS "${compiler}"
+      DEPFILE "${output_dir}/${name}.d"
+      COMMENT "Checking rules ${rules}"
+      VERBATIM)
+    target_sources(${target} PRIVATE ${generated})
+    # As the interpreter computes: a*b + c is rounded twice.
+    if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+      set_property(SOURCE "${output_dir}/${name}.cpp" APPEND PROPERTY COMPILE_OPTIONS -ffp-contract=off)
+    endif()
+  endforeach()
+  target_include_directories(${target} PRIVATE "${include_dir}")
+  target_link_libraries(${target} PRIVATE jrule::runtime)
+endfunction()

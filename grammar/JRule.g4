@@ -1,8 +1,9 @@
 // The grammar of .jrule files; README.md says what the constructs mean.
 //
-// Every decision but one needs one token of lookahead (a node's `<0,1>` against an arc's `<-0-` needs two), so that parsing
-// is linear and an error is found at the token that is wrong. Where that makes the grammar wider than the language, the
-// AST builder narrows it: `f[2](x)` is parsed as suffixes of `f`, `name: value` as an expression before the colon.
+// Every decision but one needs one token of lookahead (a node's `<0,1>` against an arc's `<-0-` needs two), so that
+// parsing is linear and an error is found at the token that is wrong. Where that makes the grammar wider than the
+// language, the AST builder narrows it: `f[2](x)` is parsed as suffixes of `f`, `name: value` as an expression before
+// the colon.
 // Repetition is written as loops where a user could write long chains, so that recursion follows brackets only.
 grammar JRule;
 

@@ -99,7 +99,7 @@ Completed complete(ir::RuleScheme const& rule) {
   while (changed && completion.result.dead.empty()) {
     changed = completion.complete_reverse();
     for (auto const& [i, j] : rule.model().exchange) {
-      if (!changed && completion.result.dead.empty()) changed = completion.complete_cycle(i, j) || completion.complete_cycle(j, i);
+      if (!changed && completion.result.dead.empty()) changed = completion.complete_cycle(i, j) || (completion.result.dead.empty() && completion.complete_cycle(j, i));
     }
   }
   return std::move(completion.result);

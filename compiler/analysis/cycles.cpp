@@ -59,7 +59,7 @@ struct CycleCheck {
   SideView left{rule.nodes.size(), rule.left, rule.right};
   SideView right{rule.nodes.size(), rule.right, rule.left};
   Refusals refusals{};
-  std::set<std::set<ir::Arc const*>> reported{};  // a cycle is reported once, not from each of its nodes
+  std::set<std::tuple<int, int, ir::NodeId>> reported{};  // the nodes of failing cycles
 
   std::string name(ir::NodeId id) const { return rule.nodes[id].name; }
 
@@ -92,9 +92,17 @@ struct CycleCheck {
     return best;
   }
 
+  // A failing cycle is reported once, not from each of its nodes.
+  bool first_report(Path const& path, int i, int j) {
+    auto const key = [&](ir::NodeId node) { return std::tuple(std::min(i, j), std::max(i, j), node); };
+    bool const known = std::any_of(path.begin(), path.end(), [&](ir::Arc const* arc) { return reported.contains(key(arc->source)); });
+    for (ir::Arc const* arc : path) reported.insert({key(arc->source), key(arc->target)});
+    return !known;
+  }
+
   void refuse_cycle(Path const& path, int i, int j) {
-    if (!reported.insert(std::set<ir::Arc const*>(path.begin(), path.end())).second) return;
     ir::NodeId const start = path.front()->source, end = path.back()->target;
+    if (!first_report(path, i, j)) return;
     ir::Arc const* const at = culprit(right, path);
     source::Diagnostic diagnostic{.code = Code::open_cycle, .span = at->span, .message = {}};
     diagnostic.message =
@@ -110,17 +118,18 @@ struct CycleCheck {
     refusals.push_back({std::move(diagnostic), start, i, j});
   }
 
-  // Is there on `view` a maximal changed path, in no cycle, with the ends, labels and word of this one?
-  bool replaced(Path const& path, SideView const& view, int i, int j) const {
+  // The maximal changed path on `view`, in no cycle, with the ends and labels of this one; empty if there is none.
+  Path partner_of(Path const& path, SideView const& view, int i, int j) const {
     ir::Arc const* const first = view.table.out(path.front()->source, path.front()->dimension);
-    if (!first || !view.changed(*first)) return false;
+    if (!first || !view.changed(*first)) return {};
     int const second = path.front()->dimension == i ? j : i;
-    Path const partner = view.maximal_from(*first, second);
-    return partner.size() == path.size() && partner.back()->target == path.back()->target && word_of(partner) == word_of(path) &&
-           !closes(view.walk(first->source, first->dimension, second));
+    Path partner = view.maximal_from(*first, second);
+    bool const coherent = partner.size() == path.size() && partner.back()->target == path.back()->target &&
+                          !closes(view.walk(first->source, first->dimension, second));
+    return coherent ? partner : Path{};
   }
 
-  void refuse_path(Path const& path, bool added, int i, int j) {
+  void refuse_path(Path const& path, Path const& partner, bool added, int i, int j) {
     ir::NodeId const start = path.front()->source, end = path.back()->target;
     std::string labels;
     for (ir::Arc const* arc : path) labels += static_cast<char>('0' + arc->dimension);
@@ -135,9 +144,12 @@ struct CycleCheck {
     }
     diagnostic.notes.push_back(model_note(i, j));
     diagnostic.notes.push_back(added ? "the rest of that cycle is not matched and stays as it is, so the added path has to lead where a deleted one led, "
-                                       "with the same labels (coherence; paper, Def. 15)"
+                                       "with the same labels and an equal word (coherence; paper, Def. 15 and 26)"
                                      : "the rest of that cycle is not matched and stays as it is, so the right side has to lead there again, with the same "
-                                       "labels (coherence; paper, Def. 15)");
+                                       "labels and an equal word (coherence; paper, Def. 15 and 26)");
+    if (!partner.empty()) {
+      diagnostic.notes.push_back(fmt::format("the path on the other side has these ends and labels, but {} instead of {}", describe(word_of(partner)), describe(word_of(path))));
+    }
     refusals.push_back({std::move(diagnostic), start, i, j});
   }
 
@@ -160,7 +172,9 @@ struct CycleCheck {
       if (path.empty()) continue;  // part of a longer one, which starts elsewhere
       // A non-oriented path is the same read backwards: report it from its first node only.
       bool const mirror = path.front()->source > path.back()->target && !rule.model().is_oriented(i) && !rule.model().is_oriented(j);
-      if (!replaced(path, other, i, j) && !mirror) refuse_path(path, added, i, j);
+      Path const partner = partner_of(path, other, i, j);
+      bool const replaced = !partner.empty() && word_of(partner) == word_of(path);
+      if (!replaced && !mirror) refuse_path(path, partner, added, i, j);
     }
   }
 };

@@ -23,11 +23,11 @@ struct IncidentArcs {
     refusals.push_back({std::move(diagnostic), id, d, -1});
   }
 
+  static std::string directed_name(int d, bool outgoing) { return fmt::format("{} {}-arc", outgoing ? "outgoing" : "incoming", d); }
   // "d-arc", or for an oriented dimension "outgoing d-arc" and "incoming d-arc".
-  std::string arc_name(int d, bool outgoing) const {
-    if (!rule.model().is_oriented(d)) return fmt::format("{}-arc", d);
-    return fmt::format("{} {}-arc", outgoing ? "outgoing" : "incoming", d);
-  }
+  std::string arc_name(int d, bool outgoing) const { return rule.model().is_oriented(d) ? directed_name(d, outgoing) : fmt::format("{}-arc", d); }
+  // Of a node with one direction of an arc only, the other one.
+  std::string missing_name(int d, bool out, bool in) const { return !out && !in ? fmt::format("{}-arc", d) : directed_name(d, !out); }
 
   bool check_at_most_one(ir::NodeId id, int d) {
     for (bool const on_left : {true, false}) {
@@ -38,45 +38,53 @@ struct IncidentArcs {
         refuse(Code::two_arcs, arcs[1]->span,
                fmt::format("the {} side gives `{}` {} {}s", on_left ? "left" : "right", rule.nodes[id].name,
                            arcs.size() == 2 ? "two" : fmt::format("{}", arcs.size()), arc_name(d, outgoing)),
-               {{arcs[0]->span, fmt::format("{} here", describe(rule, *arcs[0]))}}, id, d);
+               {{arcs[0]->span, describe(rule, *arcs[0])}}, id, d);
         return false;
       }
     }
     return true;
   }
 
+  // An added node has an outgoing or an incoming d-arc, but not both.
+  std::string missing_half_help(ir::NodeId id, int d, bool out) const {
+    ir::Node const& node = rule.nodes[id];
+    if (rule.model().is_oriented(d)) return out ? fmt::format("add an arc `… -{}-> {}`", d, node.name) : fmt::format("add an arc `{} -{}-> …`", node.name, d);
+    return fmt::format("write {} for both directions", both_directions(rule, out ? *right.out(id, d) : *right.in(id, d)));
+  }
+
   void check_added(ir::NodeId id, int d) {
     ir::Node const& node = rule.nodes[id];
     bool const out = right.out(id, d), in = right.in(id, d);
     if (out && in) return;
-    std::string const missing = !out && !in ? fmt::format("{}-arc", d) : arc_name(d, !out);
-    refuse(Code::missing_arc, *node.right_span, fmt::format("the right side creates `{}` without {} {}", node.name, !out && in ? "an" : !in && out ? "an" : "a", missing),
+    bool const half = out || in;
+    refuse(Code::missing_arc, *node.right_span, fmt::format("the right side creates `{}` without {} {}", node.name, half ? "an" : "a", missing_name(d, out, in)),
            {{*node.right_span, "this node is added here"}}, id, d,
-           fmt::format("give `{}` a {}-arc: in its decoration, or as `{} -{}- …`", node.name, d, node.name, d));
+           half ? missing_half_help(id, d, out) : fmt::format("give `{}` a {}-arc: in its decoration, or as `{} -{}- …`", node.name, d, node.name, d));
   }
 
   void check_deleted(ir::NodeId id, int d) {
     ir::Node const& node = rule.nodes[id];
     bool const out = left.out(id, d), in = left.in(id, d);
     if (out && in) return;
-    std::string const missing = !out && !in ? fmt::format("{}-arc", d) : arc_name(d, !out);
-    refuse(Code::dangling_node, *node.left_span, fmt::format("the rule deletes `{}`, but the left side does not match its {}", node.name, missing),
+    refuse(Code::dangling_node, *node.left_span, fmt::format("the rule deletes `{}`, but the left side does not match its {}", node.name, missing_name(d, out, in)),
            {{*node.left_span, "this node is not on the right side"}}, id, d,
            fmt::format("an unmatched {}-arc of a deleted dart would be left dangling", d));
   }
 
   void check_preserved(ir::NodeId id, int d) {
     ir::Node const& node = rule.nodes[id];
+    bool const out_differs = !left.out(id, d) != !right.out(id, d), in_differs = !left.in(id, d) != !right.in(id, d);
     for (bool const outgoing : {true, false}) {
+      if (!(outgoing ? out_differs : in_differs)) continue;
       ir::Arc const* const before = outgoing ? left.out(id, d) : left.in(id, d);
       ir::Arc const* const after = outgoing ? right.out(id, d) : right.in(id, d);
-      if ((before != nullptr) == (after != nullptr)) continue;
+      std::string const arc = out_differs && in_differs ? arc_name(d, outgoing) : directed_name(d, outgoing);
       if (after) {
-        refuse(Code::gained_arc, after->span, fmt::format("`{}` gains {}, but keeps the {} that it has", node.name, describe(rule, *after), arc_name(d, outgoing)),
-               {{*node.left_span, fmt::format("its {} is not matched here", arc_name(d, outgoing))}}, id, d,
+        refuse(Code::gained_arc, after->span, fmt::format("`{}` gains {}, but keeps the {} that it has", node.name, describe(rule, *after), arc),
+               {{*node.left_span, fmt::format("its {} is not matched here", arc)}}, id, d,
                fmt::format("match the {}-arc of `{}` on the left side, so that the rule replaces it", d, node.name));
       } else {
-        refuse(Code::lost_arc, *node.right_span, fmt::format("`{}` loses its {} and gets no other", node.name, arc_name(d, outgoing)),
+        refuse(Code::lost_arc, *node.right_span, fmt::format("`{}` loses its {} and gets no other", node.name, arc),
                {{before->span, fmt::format("{} is matched here", describe(rule, *before))}}, id, d,
                fmt::format("an arc of the left side that the right side does not repeat is deleted; repeat it, or give `{}` another {}-arc", node.name, d));
       }

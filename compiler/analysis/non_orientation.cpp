@@ -27,20 +27,25 @@ void check_side(ir::RuleScheme const& rule, algebra::Group const& group, bool ad
                                     .message = fmt::format("the rule {} {} without its reverse", verb, describe(rule, arc)), .notes = {note}};
       if (back) diagnostic.labels.push_back({back->span, fmt::format("from `{}` there is {}", rule.nodes[arc.target].name, describe(rule, *back))});
       if (!back && arc.source != arc.target) {
-        diagnostic.notes.push_back(fmt::format("write `{} -{}- {}` for both directions", rule.nodes[arc.source].name, d, rule.nodes[arc.target].name));
+        diagnostic.notes.push_back(fmt::format("write {} for both directions", both_directions(rule, arc)));
       }
       refusals.push_back({std::move(diagnostic), arc.source, d, -1});
       continue;
     }
     Word const expected = group.inverse(arc.word);
-    // Of a pair with wrong words, the arc that is written first is reported.
-    if (back->word != expected && &arc <= back) {
+    if (back->word == expected) continue;
+    if (&arc == back) {
+      refusals.push_back({{.code = Code::words_not_conjugate, .span = arc.span,
+                           .message = fmt::format("the rule {} {}, which is not its own reverse: that carries {}", verb, describe(rule, arc), describe(expected)),
+                           .notes = {note}},
+                          arc.source, d, -1});
+    } else if (&arc < back) {  // of a pair with wrong words, the arc that is written first is reported
       source::Diagnostic diagnostic{
           .code = Code::words_not_conjugate, .span = back->span,
           .message = fmt::format("the {}-arc from `{}` to `{}` carries {}, but the reverse of the arc from `{}` carries {}", d,
                                  rule.nodes[back->source].name, rule.nodes[back->target].name, describe(back->word), rule.nodes[arc.source].name,
                                  describe(expected)),
-          .labels = {{arc.span, fmt::format("{} here", describe(rule, arc))}}, .notes = {note}};
+          .labels = {{arc.span, describe(rule, arc)}}, .notes = {note}};
       refusals.push_back({std::move(diagnostic), arc.source, d, -1});
     }
   }

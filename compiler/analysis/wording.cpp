@@ -4,15 +4,22 @@
 
 namespace jrule::analysis {
 
-std::string describe(Word const& word) {
-  if (word.empty()) return "the empty word";
-  std::string text = "the word [";
+namespace {
+std::string spelling(Word const& word) {
+  std::string text = "[";
   for (std::size_t i = 0; i < word.size(); ++i) {
     if (i != 0) text += ',';
     if (word[i].conjugate) text += '~';
     text += static_cast<char>('0' + word[i].dimension);
   }
   return text + ']';
+}
+}  // namespace
+
+std::string describe(Word const& word) { return word.empty() ? "the empty word" : "the word " + spelling(word); }
+
+std::string both_directions(ir::RuleScheme const& rule, ir::Arc const& arc) {
+  return fmt::format("`{} -{}{}- {}`", rule.nodes[arc.source].name, arc.dimension, arc.word.empty() ? "" : spelling(arc.word), rule.nodes[arc.target].name);
 }
 
 std::string describe(ir::RuleScheme const& rule, ir::Arc const& arc) {

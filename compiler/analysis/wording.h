@@ -11,6 +11,8 @@ namespace jrule::analysis {
 using ir::map_name;
 /// "a 2-arc from `a` to `c` with the word [1,~2]".
 std::string describe(ir::RuleScheme const& rule, ir::Arc const& arc);
+/// "`a -2[1,~2]- c`": how both directions of the arc are written.
+std::string both_directions(ir::RuleScheme const& rule, ir::Arc const& arc);
 /// "the empty word", "the word [0,1]".
 std::string describe(Word const& word);
 /// "in a 2-G-map every dart has exactly one 2-arc (paper, Def. 22)"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "compiler/algebra/group.h"
 #include "compiler/sema/expressions.h"
@@ -27,6 +28,7 @@ struct RuleElaboration {
   ir::RuleScheme rule;
   std::map<std::string, ir::NodeId> left_nodes, right_nodes;
   std::map<ir::NodeId, ast::Node const*> left_declarations;
+  std::set<std::pair<std::string, bool>> unknown_nodes;  // that arcs name, on the left?
 
   RuleElaboration(ast::Rule const& r, std::shared_ptr<ir::Modeler const> modeler, DimensionValues const& v, Diagnostics& d)
       : declared(r), values(v), diagnostics(d), model(modeler->model), group(modeler->model) {
@@ -216,12 +218,13 @@ struct RuleElaboration {
   std::optional<ir::NodeId> find_node(ast::Name const& name, bool left) {
     auto const& names = left ? left_nodes : right_nodes;
     if (auto const known = names.find(name.text); known != names.end()) return known->second;
+    if (!unknown_nodes.emplace(name.text, left).second) return {};  // reported where it is first named
     auto const& other = left ? right_nodes : left_nodes;
     if (auto const elsewhere = other.find(name.text); elsewhere != other.end()) {
       ir::Node const& node = rule.nodes[elsewhere->second];
       report(Code::unknown_node, name.span, fmt::format("the node `{}` is not declared on the {} side", name.text, left ? "left" : "right"),
              {{node.span(), fmt::format("it is declared on the {} side only", left ? "right" : "left")}},
-             {left ? std::string("a node of the right side only is added by the rule; it is not there to be matched")
+             {left ? fmt::format("declare it with `{};` to match it; a node of the right side only is added by the rule", name.text)
                    : fmt::format("declare it with `{};` to keep it", name.text)});
       return {};
     }
@@ -234,11 +237,7 @@ struct RuleElaboration {
   void add_chain(ast::ArcChain const& chain, bool left) {
     ir::Side& side = left ? rule.left : rule.right;
     std::vector<std::optional<ir::NodeId>> ids;
-    std::map<std::string, std::optional<ir::NodeId>> seen;
-    for (ast::Name const& name : chain.nodes) {
-      auto const known = seen.find(name.text);  // one report for a name that a chain repeats
-      ids.push_back(known != seen.end() ? known->second : seen.emplace(name.text, find_node(name, left)).first->second);
-    }
+    for (ast::Name const& name : chain.nodes) ids.push_back(find_node(name, left));
     for (std::size_t i = 0; i < chain.steps.size(); ++i) {
       ast::ArcStep const& step = chain.steps[i];
       auto const d = evaluate_in(model, step.dimension, values, diagnostics);

@@ -253,8 +253,9 @@ ast::Item Builder::extern_item(JRuleParser::ExternItemContext* tree) {
   auto const cpp_name = string(strings[1]->getSymbol());
   auto const text = doc(tree->getStart());
   if (tree->KW_TYPE() != nullptr) return ast::ExternType{text, name(tree->name()), header, cpp_name, span(tree)};
-  return ast::ExternFunction{text,   name(tree->name()), parameters(tree->parameters()), type_name(tree->typeName()),
-                             header, cpp_name,           span(tree)};
+  return ast::ExternFunction{
+      text,     name(tree->name()), parameters(tree->parameters()), type_name(tree->typeName()), header,
+      cpp_name, span(tree)};
 }
 
 }  // namespace jrule::syntax

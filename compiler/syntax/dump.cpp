@@ -36,7 +36,8 @@ class Dumper {
     Inside inside(*this);
     doc(item.doc);
     for (auto const& embedding : item.embeddings) {
-      line(fmt::format("embedding {} : {} -> {}", embedding.name.text, text_of(embedding.orbit), text_of(embedding.type)));
+      line(fmt::format("embedding {} : {} -> {}", embedding.name.text, text_of(embedding.orbit),
+                       text_of(embedding.type)));
       Inside policies(*this);
       doc(embedding.doc);
       if (embedding.default_value) line(fmt::format("default {}", text_of(*embedding.default_value)));
@@ -129,7 +130,9 @@ class Dumper {
     block("body", *s.body);
     block("else", *s.otherwise);
   }
-  void operator()(ast::ApplyAll const& s) { line(fmt::format("apply_all {} on {}", text_of(s.call), text_of(*s.orbit))); }
+  void operator()(ast::ApplyAll const& s) {
+    line(fmt::format("apply_all {} on {}", text_of(s.call), text_of(*s.orbit)));
+  }
   void operator()(ast::ExprStatement const& s) { line(fmt::format("do {}", text_of(*s.value))); }
 
  private:

@@ -45,7 +45,9 @@ struct ElementText {
   std::string operator()(ast::Letter const& letter) const {
     return fmt::format("{}{}", letter.conjugate ? "~" : "", text_of(letter.dimension));
   }
-  std::string operator()(ast::Range const& range) const { return fmt::format("{}..{}", text_of(range.first), text_of(range.last)); }
+  std::string operator()(ast::Range const& range) const {
+    return fmt::format("{}..{}", text_of(range.first), text_of(range.last));
+  }
   std::string operator()(ast::Word const& word) const { return text_of(word); }
 };
 
@@ -67,12 +69,15 @@ struct ExprText {
   std::string operator()(ast::Member const& e) const {
     return fmt::format("(member {} {})", text_of(*e.base), e.name.text);
   }
-  std::string operator()(ast::Walk const& e) const { return fmt::format("(walk {} {})", text_of(*e.base), text_of(e.word)); }
+  std::string operator()(ast::Walk const& e) const {
+    return fmt::format("(walk {} {})", text_of(*e.base), text_of(e.word));
+  }
   std::string operator()(ast::Index const& e) const {
     return fmt::format("(index {} {})", text_of(*e.base), text_of(*e.index));
   }
   std::string operator()(ast::OrbitOf const& e) const {
-    return fmt::format("(orbit {} {}{})", text_of(e.type), text_of(*e.dart), e.by ? fmt::format(" by {}", text_of(*e.by)) : "");
+    return fmt::format("(orbit {} {}{})", text_of(e.type), text_of(*e.dart),
+                       e.by ? fmt::format(" by {}", text_of(*e.by)) : "");
   }
   std::string operator()(ast::Call const& e) const { return text_of(e); }
   std::string operator()(ast::Comprehension const& e) const {
@@ -131,13 +136,16 @@ std::string text_of(std::vector<ast::OrbitElement> const& elements) {
 }
 
 std::string text_of(ast::OrbitType const& type) {
-  if (auto const* list = std::get_if<ast::ElementList>(&type.value)) return fmt::format("<{}>", text_of(list->elements));
+  if (auto const* list = std::get_if<ast::ElementList>(&type.value))
+    return fmt::format("<{}>", text_of(list->elements));
   auto const& cell = std::get<ast::CellName>(type.value);
   if (cell.dimension) return fmt::format("{}({})", cell_name(cell.kind), text_of(*cell.dimension));
   return std::string(cell_name(cell.kind));
 }
 
-std::string text_of(ast::TypeName const& type) { return type.list ? fmt::format("[{}]", type.name.text) : type.name.text; }
+std::string text_of(ast::TypeName const& type) {
+  return type.list ? fmt::format("[{}]", type.name.text) : type.name.text;
+}
 
 std::string text_of(ast::ModelRef const& model) {
   return model.dimension ? fmt::format("{}({})", model.name.text, text_of(*model.dimension)) : model.name.text;

@@ -13,8 +13,8 @@ namespace {
 
 using Kind = FormatToken::Kind;
 
-/// Writes tokens one after the other. The author decides which statements share a line, and whether a short block stands on
-/// one line; everything else follows from the tokens.
+/// Writes tokens one after the other. The author decides which statements share a line, and whether a short block
+/// stands on one line; everything else follows from the tokens.
 class Layout {
  public:
   explicit Layout(std::vector<FormatToken> tokens) : tokens_(std::move(tokens)), ends_(inline_ends(tokens_)) {}
@@ -53,11 +53,15 @@ class Layout {
   }
 
   /// The width of the tokens from `first` to `last` on one line.
-  std::size_t width(std::size_t first, std::size_t last) const { return ends_[last] - ends_[first] + tokens_[first].width; }
+  std::size_t width(std::size_t first, std::size_t last) const {
+    return ends_[last] - ends_[first] + tokens_[first].width;
+  }
 
   /// The `;` of a statement, or the `{` of the first block in it.
   std::size_t header_end(std::size_t i) const {
-    auto const ends = [](Kind kind) { return kind == Kind::semicolon || kind == Kind::open_brace || kind == Kind::close_brace; };
+    auto const ends = [](Kind kind) {
+      return kind == Kind::semicolon || kind == Kind::open_brace || kind == Kind::close_brace;
+    };
     while (i + 1 < tokens_.size() && !ends(tokens_[i].kind)) ++i;
     return i;
   }

@@ -45,7 +45,9 @@ class Spacing {
       case P::RuleUnary:
         for (auto* minus : dynamic_cast<P::UnaryContext&>(*context).MINUS()) after(minus->getSymbol(), 0);
         break;
-      case P::RuleEmbedding: set(dynamic_cast<P::EmbeddingContext&>(*context).COLON()->getSymbol()->getTokenIndex(), 1); break;
+      case P::RuleEmbedding:
+        set(dynamic_cast<P::EmbeddingContext&>(*context).COLON()->getSymbol()->getTokenIndex(), 1);
+        break;
       default: break;
     }
     for (auto* child : context->children) visit(child);
@@ -180,7 +182,8 @@ class Collector {
 
     auto const known = spacing == nullptr ? Spacing::unknown : (*spacing)[token.getTokenIndex()];
     bool const beside_comment = result.is_comment() || (!tokens_.empty() && tokens_.back().is_comment());
-    bool const after_statement = !tokens_.empty() && result.kind != Kind::semicolon && result.kind != Kind::close_brace &&
+    bool const after_statement = !tokens_.empty() && result.kind != Kind::semicolon &&
+                                 result.kind != Kind::close_brace &&
                                  (tokens_.back().kind == Kind::semicolon || tokens_.back().kind == Kind::close_brace);
     if (beside_comment) {
       result.spaces = result.kind == Kind::line_comment ? 2 : 1;
@@ -197,8 +200,8 @@ class Collector {
       auto& open = tokens_[braces_.back()];
       result.partner = braces_.back();
       open.partner = index;
-      open.has_newline_inside = text_.substr(brace_offsets_.back(), place.begin - brace_offsets_.back()).find('\n') !=
-                                std::string_view::npos;
+      open.has_newline_inside =
+          text_.substr(brace_offsets_.back(), place.begin - brace_offsets_.back()).find('\n') != std::string_view::npos;
       braces_.pop_back();
       brace_offsets_.pop_back();
     }
@@ -216,7 +219,8 @@ class Collector {
     auto embedding = embeddings_.begin();
     for (auto modeler : modelers_) {
       auto open = modeler;
-      while (tokens_[open].kind != FormatToken::Kind::open_brace && tokens_[open].kind != FormatToken::Kind::semicolon) ++open;
+      while (tokens_[open].kind != FormatToken::Kind::open_brace && tokens_[open].kind != FormatToken::Kind::semicolon)
+        ++open;
       if (tokens_[open].kind == FormatToken::Kind::semicolon) continue;
       auto const close = tokens_[open].partner;
       auto const group_begin = embedding;

@@ -13,13 +13,13 @@ inline constexpr std::size_t line_width = 100;
 
 struct FormatToken {
   enum class Kind { word, line_comment, block_comment, open_brace, close_brace, semicolon, keyword_else };
-  Kind kind = Kind::word;         ///< `word`: every token that is none of the others
+  Kind kind = Kind::word;  ///< `word`: every token that is none of the others
   std::string text;
-  std::size_t width = 0;          ///< in code points
-  std::size_t newlines = 0;       ///< in the source, between the token before and this one
-  std::size_t spaces = 1;         ///< before it where both stand on one line
-  std::size_t partner = 0;        ///< of a brace: the index of the other one
-  bool has_newline_inside = false;///< of an open brace: the source has a line end between it and its partner
+  std::size_t width = 0;            ///< in code points
+  std::size_t newlines = 0;         ///< in the source, between the token before and this one
+  std::size_t spaces = 1;           ///< before it where both stand on one line
+  std::size_t partner = 0;          ///< of a brace: the index of the other one
+  bool has_newline_inside = false;  ///< of an open brace: the source has a line end between it and its partner
 
   bool is_comment() const { return kind == Kind::line_comment || kind == Kind::block_comment; }
 };

@@ -19,8 +19,8 @@ using source::Span;
 
 namespace {
 
-constexpr std::size_t file_limit = 16U << 20U;   // bytes
-constexpr std::size_t item_limit = 1U << 20U;    // bytes: the parser needs some hundred times as much memory
+constexpr std::size_t file_limit = 16U << 20U;  // bytes
+constexpr std::size_t item_limit = 1U << 20U;   // bytes: the parser needs some hundred times as much memory
 constexpr std::size_t errors_per_item = 10;
 constexpr std::size_t errors_per_file = 1000;
 
@@ -34,10 +34,21 @@ std::optional<source::Diagnostic> check_text(source::Sources const& sources, sou
   auto const at = narrow(fault->offset);
   auto const place = fmt::format("byte 0x{:02X} at offset {} (line {})", static_cast<unsigned char>(text[at]), at,
                                  sources.position(file, at).line);
-  auto const* what = fault->is_control ? "the file is not text: it has the control character " : "the file is not UTF-8: ";
-  return source::Diagnostic{.code = Code::not_utf8,
-                            .span = {file, at, at + 1},
-                            .message = fmt::format("{}{}", what, place)};
+  auto const* what =
+      fault->is_control ? "the file is not text: it has the control character " : "the file is not UTF-8: ";
+  return source::Diagnostic{
+      .code = Code::not_utf8, .span = {file, at, at + 1}, .message = fmt::format("{}{}", what, place)};
+}
+
+/// The spelling of a sign that word processors and formulas put in its place; empty if there is none.
+std::string ascii_for(std::string_view character) {
+  static constexpr std::pair<std::string_view, std::string_view> known[] = {
+      {"−", "-"},  {"–", "-"},  {"“", "\""}, {"”", "\""}, {"→", "->"}, {"≤", "<="},
+      {"≥", ">="}, {"≠", "!="}, {"×", "*"},  {"·", "*"},  {"⟨", "<"},  {"⟩", ">"}};
+  for (auto const& [sign, meant] : known) {
+    if (sign == character) return std::string(meant);
+  }
+  return {};
 }
 
 // ---- One file ----
@@ -109,9 +120,13 @@ class FileParser {
   /// Reports a token that the lexer made of text that is none.
   bool lexical_error(antlr4::Token const* token) {
     if (token->getType() == JRuleParser::UNEXPECTED) {
-      add({.code = Code::unexpected_character,
-           .span = parser_.span(token),
-           .message = fmt::format("unexpected character `{}`", token->getText())});
+      auto const text = token->getText();
+      auto const meant = ascii_for(text);
+      source::Diagnostic diagnostic{.code = Code::unexpected_character,
+                                    .span = parser_.span(token),
+                                    .message = fmt::format("unexpected character `{}`", text)};
+      if (!meant.empty()) diagnostic.fixits.push_back({diagnostic.span, meant, fmt::format("write `{}`", meant)});
+      add(std::move(diagnostic));
       return true;
     }
     if (token->getType() == JRuleParser::UNCLOSED_STRING) {

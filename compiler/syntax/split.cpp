@@ -76,7 +76,8 @@ void Splitter::open(char kind, std::uint32_t at, Piece& piece) {
   }
 }
 
-/// Closes back to the matching bracket. A `)` or `]` never closes a `{`, a `}` closes what stands open inside its braces.
+/// Closes back to the matching bracket. A `)` or `]` never closes a `{`, a `}` closes what stands open inside its
+/// braces.
 void Splitter::close(char closing) {
   char const opening = closing == ')' ? '(' : closing == ']' ? '[' : '{';
   for (auto i = brackets_.size(); i-- > 0;) {

@@ -1,5 +1,6 @@
 // Cuts a file into items before it is parsed, so that an error in one item never touches another, and so that neither
-// deep nesting nor a very long file reaches the parser. Knows only comments, strings, brackets and the words that open items.
+// deep nesting nor a very long file reaches the parser. Knows only comments, strings, brackets and the words that open
+// items.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +16,12 @@ inline constexpr std::size_t nesting_limit = 256;
 /// A run of text that is one item, or that stands where an item should. Offsets are bytes of the file.
 struct Piece {
   enum class Kind { item, stray } kind = Kind::item;
-  std::uint32_t begin = 0;                       ///< with the documentation before it
-  std::uint32_t end = 0;                         ///< after its last token
+  std::uint32_t begin = 0;  ///< with the documentation before it
+  std::uint32_t end = 0;    ///< after its last token
   std::uint32_t first_token = 0;
-  std::optional<std::uint32_t> unclosed_brace{}; ///< the outermost `{` without a `}`
-  std::optional<std::uint32_t> too_deep{};       ///< the bracket or `if` that passes the limit
-  std::optional<std::uint32_t> open_comment{};   ///< a `/*` without `*/`; the rest of the file is in it
+  std::optional<std::uint32_t> unclosed_brace{};  ///< the outermost `{` without a `}`
+  std::optional<std::uint32_t> too_deep{};        ///< the bracket or `if` that passes the limit
+  std::optional<std::uint32_t> open_comment{};    ///< a `/*` without `*/`; the rest of the file is in it
 };
 
 /// The pieces of a text in order; comments between items belong to none.
@@ -50,9 +51,9 @@ class Splitter {
   std::string_view text_;
   std::size_t at_ = 0;
   std::vector<Bracket> brackets_;
-  std::optional<std::size_t> doc_begin_;   ///< of the documentation since the last token
-  bool first_on_line_ = true;              ///< no token stands before `at_` on its line
-  std::string_view previous_;              ///< the last token of the piece: a word, or one character
+  std::optional<std::size_t> doc_begin_;  ///< of the documentation since the last token
+  bool first_on_line_ = true;             ///< no token stands before `at_` on its line
+  std::string_view previous_;             ///< the last token of the piece: a word, or one character
 };
 
 }  // namespace jrule::syntax

@@ -22,10 +22,11 @@ struct Group {
 };
 
 Kinds const cell_words{P::KW_VERTEX, P::KW_EDGE, P::KW_FACE, P::KW_VOLUME, P::KW_CONNECTED, P::KW_CELL};
-Kinds const expression_starts{P::INT,    P::REAL,    P::STRING,   P::NAME,    P::LPAREN,  P::LESS,
-                              P::MINUS,  P::KW_NOT,  P::KW_TRUE,  P::KW_FALSE, P::KW_IF,  P::KW_VERTEX,
+Kinds const expression_starts{P::INT,     P::REAL,    P::STRING,    P::NAME,         P::LPAREN, P::LESS,
+                              P::MINUS,   P::KW_NOT,  P::KW_TRUE,   P::KW_FALSE,     P::KW_IF,  P::KW_VERTEX,
                               P::KW_EDGE, P::KW_FACE, P::KW_VOLUME, P::KW_CONNECTED, P::KW_CELL};
-Kinds const statement_starts{P::KW_LET, P::KW_IF, P::KW_FOR, P::KW_WHILE, P::KW_RETURN, P::KW_FAIL, P::KW_TRY, P::KW_APPLY_ALL};
+Kinds const statement_starts{P::KW_LET,    P::KW_IF,   P::KW_FOR, P::KW_WHILE,
+                             P::KW_RETURN, P::KW_FAIL, P::KW_TRY, P::KW_APPLY_ALL};
 
 /// Larger constructs first: each takes its tokens out of the expected ones.
 std::vector<Group> const groups{
@@ -111,8 +112,8 @@ bool is_forgotten(antlr4::Token const& previous, antlr4::Token const& token, ant
 }
 
 bool compares(std::size_t kind) {
-  return kind == P::LESS || kind == P::LESS_EQUAL || kind == P::GREATER || kind == P::GREATER_EQUAL || kind == P::EQUAL ||
-         kind == P::NOT_EQUAL;
+  return kind == P::LESS || kind == P::LESS_EQUAL || kind == P::GREATER || kind == P::GREATER_EQUAL ||
+         kind == P::EQUAL || kind == P::NOT_EQUAL;
 }
 
 }  // namespace
@@ -121,9 +122,8 @@ source::Diagnostic describe(ItemParser const& parser, std::string const& followi
   auto const& [token, expected, context] = parser.failure();
   auto const* previous = parser.previous(token);
   bool const at_end = token->getType() == antlr4::Token::EOF;
-  source::Diagnostic result{.code = source::Code::syntax_error,
-                            .span = at_end ? parser.after(previous) : parser.span(token),
-                            .message = {}};
+  source::Diagnostic result{
+      .code = source::Code::syntax_error, .span = at_end ? parser.after(previous) : parser.span(token), .message = {}};
 
   // The end of a statement: what else could still go on here (another arc, a clause) would only distract.
   bool const ends_statement = expected.count(P::SEMICOLON) != 0 && expected.count(P::INT) == 0;
@@ -140,7 +140,8 @@ source::Diagnostic describe(ItemParser const& parser, std::string const& followi
     result.message = "expected " + list;
     auto const before = previous == nullptr ? 0 : previous->getType();
     bool const tells_nothing = before == 0 || before == P::SEMICOLON || before == P::LBRACE || before == P::RBRACE;
-    if (!tells_nothing && previous->getText().size() <= 60) result.message += fmt::format(" after `{}`", previous->getText());
+    if (!tells_nothing && previous->getText().size() <= 60)
+      result.message += fmt::format(" after `{}`", previous->getText());
   } else {
     // The one place where two tokens of lookahead are needed: `a <`.
     result.message = "expected an orbit type such as `<0,1>` or an arc such as `<-0-` after the node";

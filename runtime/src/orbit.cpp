@@ -92,4 +92,9 @@ OrbitNumbers number_orbits(Map const& map, OrbitType const& type) {
   return orbits;
 }
 
+std::vector<Dart> cells(Map const& map, int dimension) {
+  std::optional<OrbitType> const type = cell_orbit(map.model(), dimension);
+  return type ? number_orbits(map, *type).first : std::vector<Dart>{};
+}
+
 }  // namespace jrule

@@ -3,18 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace jrule::rewrite {
 
 void Workspace::reserve(std::size_t darts) {
-  if (stamp_.size() < darts) {
-    // Both or neither: mark() relies on equal sizes.
-    stamp_.reserve(darts);
-    value_.resize(darts, 0);
-    stamp_.resize(darts, 0);
-  }
-  queue_.reserve(darts);
-  handles_.reserve(darts);
+  if (darts <= stamp_.size()) return;
+  // Doubling keeps a long series of applications that each add a few darts linear.
+  std::size_t const room = std::max(darts, 2 * stamp_.size());
+  stamp_.reserve(room);
+  value_.resize(room, 0);
+  queue_.reserve(room);
+  handles_.reserve(room);
+  stamp_.resize(room, 0);  // last: its size says how much room there is
 }
 
 void Workspace::clear_marks() noexcept {
@@ -168,6 +169,46 @@ std::vector<Dart> representatives(Map const& map, OrbitType const& type, OrbitTy
   return result;
 }
 
+void set_value(Map& map, std::size_t embedding, Dart d, Value const& value, Workspace& workspace) {
+  workspace.reserve(map.dart_limit());
+  workspace.clear_marks();
+  assign_orbit(map, embedding, d, map.embedding(embedding).add(value), workspace);
+}
+
+Result<std::size_t> apply_everywhere(Map const& map, OrbitType const& type, std::function<Result<void>(Dart)> const& apply) {
+  std::vector<Dart> const starts = number_orbits(map, type).first;
+  std::size_t count = 0;
+  std::optional<Error> first_refusal;
+  for (Dart const d : starts) {
+    if (!map.contains(d)) continue;  // deleted by an earlier application
+    Result<void> const applied = apply(d);
+    if (applied) {
+      ++count;
+    } else if (applied.error().kind != Error::Kind::not_applicable) {
+      return tl::unexpected(applied.error());
+    } else if (!first_refusal) {
+      first_refusal = applied.error();
+    }
+  }
+  if (count == 0 && first_refusal) return tl::unexpected(*first_refusal);
+  return count;
+}
+
+Result<Map> expect_modeler(Map map, Model const& model, std::vector<EmbeddingSpec> const& embeddings) {
+  if (map.model() != model) {
+    return fail(Error::Kind::bad_input, fmt::format("the map is of the model {}({}), not {}({})", map.model().name, map.model().dimension, model.name, model.dimension));
+  }
+  for (std::size_t e = 0; e < embeddings.size(); ++e) {
+    if (e >= map.embedding_count() || map.embedding(e).spec() != embeddings[e]) {
+      return fail(Error::Kind::bad_input, fmt::format("embedding {} of the map is not `{}` as its modeler declares it", e, embeddings[e].name));
+    }
+  }
+  if (map.embedding_count() != embeddings.size()) {
+    return fail(Error::Kind::bad_input, fmt::format("the map has {} embeddings, its modeler declares {}", map.embedding_count(), embeddings.size()));
+  }
+  return map;
+}
+
 namespace {
 Error not_applicable(std::string message) { return {Error::Kind::not_applicable, std::move(message), {}, 0}; }
 }  // namespace
@@ -196,6 +237,10 @@ Error hook_not_determined(std::string_view rule, std::string_view hook) {
 
 Error requirement_failed(std::string_view rule, std::string_view condition) {
   return not_applicable(fmt::format("`{}` is not applicable: it requires {}", rule, condition));
+}
+
+Error no_memory(std::string_view rule) {
+  return {Error::Kind::no_memory, fmt::format("`{}` is not applied: there is not enough memory for its result", rule), {}, 0};
 }
 
 }  // namespace jrule::rewrite

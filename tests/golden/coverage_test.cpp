@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "compiler/source/diagnostic.h"
-#include "tests/golden/command.h"
+#include "tests/process/process.h"
 
 namespace jrule::source {
 
@@ -43,7 +43,7 @@ struct Exemptions {
 
 Exemptions exemptions() {
   Exemptions result;
-  for (auto const& line : lines_of(read(fs::path(JRULE_GOLDEN_DIR) / "exempt.txt"))) {
+  for (auto const& line : lines_of(tests::read(fs::path(JRULE_GOLDEN_DIR) / "exempt.txt"))) {
     if (line.empty() || line.starts_with('#')) continue;
     std::istringstream words(line);
     std::string code, kinds, reason;
@@ -104,10 +104,10 @@ class TemporaryFolder {
   fs::path path_;
 };
 
-Outcome check_text(std::string const& text) {
+tests::Outcome check_text(std::string const& text) {
   TemporaryFolder const folder;
-  write(folder.path() / "example.jrule", text);
-  return check(folder.path(), "example.jrule");
+  tests::write(folder.path() / "example.jrule", text);
+  return tests::run(folder.path(), {JRULE_EXECUTABLE, "check", "example.jrule"});
 }
 
 // ----------------------------------------------------------------------------------------------------------------
@@ -124,7 +124,7 @@ TEST_P(EachCode, is_shown_by_a_golden_test) {
   std::vector<fs::path> shown;
   for (auto const& entry : fs::recursive_directory_iterator(JRULE_GOLDEN_DIR)) {
     if (entry.path().extension() != ".expected") continue;
-    if (read(entry.path()).find(tag()) != std::string::npos) shown.push_back(entry.path());
+    if (tests::read(entry.path()).find(tag()) != std::string::npos) shown.push_back(entry.path());
   }
   if (exemptions().golden.contains(number())) {
     EXPECT_TRUE(shown.empty()) << "exempt.txt need not exempt it: it is shown by " << shown.front();

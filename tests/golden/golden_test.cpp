@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "tests/golden/command.h"
+#include "tests/process/process.h"
 
 namespace jrule::golden {
 namespace {
@@ -48,7 +48,7 @@ class Golden : public testing::TestWithParam<std::string> {};
 
 TEST_P(Golden, is_as_expected) {
   auto const source = fs::path(JRULE_GOLDEN_DIR) / GetParam();
-  auto const outcome = check(source.parent_path(), source.filename().string());
+  auto const outcome = tests::run(source.parent_path(), {JRULE_EXECUTABLE, "check", source.filename().string()});
   // The statuses that `jrule check` documents; anything else is a fault of the compiler, never expected.
   ASSERT_GE(outcome.exit_status, 0);
   ASSERT_LE(outcome.exit_status, 2) << outcome.output;
@@ -56,12 +56,12 @@ TEST_P(Golden, is_as_expected) {
   auto const found = "exit " + std::to_string(outcome.exit_status) + "\n" + outcome.output;
   auto const expected = fs::path(source).replace_extension(".expected");
   if (updating()) {
-    if (!fs::exists(expected) || read(expected) != found) write(expected, found);
+    if (!fs::exists(expected) || tests::read(expected) != found) tests::write(expected, found);
     return;
   }
   ASSERT_TRUE(fs::exists(expected)) << "there is no " << expected << "; ./dev test --update-golden writes it:\n"
                                     << found;
-  EXPECT_EQ(read(expected), found);
+  EXPECT_EQ(tests::read(expected), found);
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, Golden, testing::ValuesIn(files_with(".jrule")),

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "compiler/syntax/parse.h"
+#include "tests/unit/parsed.h"
 #include "tests/unit/syntax_examples.h"
 
 namespace jrule {
@@ -14,12 +14,9 @@ namespace {
 using syntax::format;
 
 std::string dump(std::string text) {
-  source::Sources sources;
-  source::Diagnostics diagnostics;
-  auto const id = sources.add("test.jrule", std::move(text));
-  auto const file = syntax::parse(sources, id, diagnostics);
-  for (auto const& diagnostic : diagnostics.all()) ADD_FAILURE() << source::render_human(sources, diagnostic);
-  return syntax::dump(file);
+  auto const parsed = tests::parse(std::move(text));
+  EXPECT_EQ(tests::errors(parsed), tests::Lines{});
+  return syntax::dump(parsed.file);
 }
 
 /// The two laws of the layout.
@@ -39,7 +36,8 @@ TEST(Format, everything) {
   auto const once = format(tests::everything_example);
   obeys_laws(std::string(tests::everything_example));
   EXPECT_NE(once.find("    require a.x < -1 and not b.y == 2 or c.z;\n"), std::string::npos) << once;
-  EXPECT_NE(once.find("    let q = a@~1.pos + a@[0,1].pos * -a@0.pos - r.c[d] / a@i.pos;\n"), std::string::npos) << once;
+  EXPECT_NE(once.find("    let q = a@~1.pos + a@[0,1].pos * -a@0.pos - r.c[d] / a@i.pos;\n"), std::string::npos)
+      << once;
   EXPECT_NE(once.find("    t <-d[w]- s <-2- r;\n"), std::string::npos) << once;
 }
 
@@ -51,14 +49,17 @@ TEST(Format, spaces_within_a_line) {
             "rule f[i, j](x: Real = -1.0, y: [Int]) on gmap(n-1) { left  { hook a <0..i-2,_>; } right { a; } }\n");
   EXPECT_EQ(format("operation o on S->Dart{a -b ;sew [ i - 2 ]( a ,b ) ;x=not(a)and face ( a )by< 0 > ;f( n :- 1 );}"),
             "operation o on S -> Dart { a - b; sew[i-2](a, b); x = not (a) and face(a) by <0>; f(n: -1); }\n");
-  EXPECT_EQ(format("rule r on S{\nleft{}right{a- 0 -b;a -(i - 1)[ ~ 1 , 2 ]->b;a< - 2 [w] - b;b{p=a @ ~ 1 . q @ [ 1 ] ;} ;}}"),
-            "rule r on S {\n"
-            "  left  { } right { a -0- b; a -(i-1)[~1,2]-> b; a <-2[w]- b; b { p = a@~1.q@[1]; }; }\n"
-            "}\n");
+  EXPECT_EQ(
+      format(
+          "rule r on S{\nleft{}right{a- 0 -b;a -(i - 1)[ ~ 1 , 2 ]->b;a< - 2 [w] - b;b{p=a @ ~ 1 . q @ [ 1 ] ;} ;}}"),
+      "rule r on S {\n"
+      "  left  { } right { a -0- b; a -(i-1)[~1,2]-> b; a <-2[w]- b; b { p = a@~1.q@[1]; }; }\n"
+      "}\n");
 }
 
 TEST(Format, lines_are_the_author_s) {
-  EXPECT_EQ(format("\n\n\nmodeler M on gmap(2);import a;\n\n\n\nrule r on M { left { hook a <0>;\n\n\n b;   c; }\n\n right {\n\n a; } }\n\n"),
+  EXPECT_EQ(format("\n\n\nmodeler M on gmap(2);import a;\n\n\n\nrule r on M { left { hook a <0>;\n\n\n b;   c; }\n\n "
+                   "right {\n\n a; } }\n\n"),
             R"(modeler M on gmap(2);
 import a;
 
@@ -78,9 +79,10 @@ rule r on M {
 
 TEST(Format, long_lines) {
   // A block of one line that is too wide is split; so is a line of statements, where it is full.
-  std::string const wide = "rule r on S {\n  left { hook abcdefghijklmnopqrstuvwxyz <0,1,2,3,4,5>; require abcdefghijklmnopqrstuvwxyz > "
-                           "abcdefghijklmnopqrstuvwxyz; }\n  right {\n    abcdefghijklmnopqrstuvwxyz; abcdefghijklmnopqrstuvwxyz "
-                           "-0- b; abcdefghijklmnopqrstuvwxyz -1- b; c -2- d; e -3- f;\n  }\n}\n";
+  std::string const wide =
+      "rule r on S {\n  left { hook abcdefghijklmnopqrstuvwxyz <0,1,2,3,4,5>; require abcdefghijklmnopqrstuvwxyz > "
+      "abcdefghijklmnopqrstuvwxyz; }\n  right {\n    abcdefghijklmnopqrstuvwxyz; abcdefghijklmnopqrstuvwxyz "
+      "-0- b; abcdefghijklmnopqrstuvwxyz -1- b; c -2- d; e -3- f;\n  }\n}\n";
   EXPECT_EQ(format(wide), R"(rule r on S {
   left  {
     hook abcdefghijklmnopqrstuvwxyz <0,1,2,3,4,5>;
@@ -97,11 +99,13 @@ TEST(Format, long_lines) {
 
 TEST(Format, statements_of_several_lines) {
   EXPECT_EQ(format("operation o on S {\n  let x = a +\n b;\n}"), "operation o on S {\n  let x = a + b;\n}\n");
-  std::string const sum = "operation o on S {\n  let a_long_name = another_long_name_of_a_value * a_factor +\nanother_long_name * "
-                          "another_factor_with_a_name;\n}\n";
-  EXPECT_EQ(format(sum),
-            "operation o on S {\n  let a_long_name = another_long_name_of_a_value * a_factor +\n      another_long_name * "
-            "another_factor_with_a_name;\n}\n");
+  std::string const sum =
+      "operation o on S {\n  let a_long_name = another_long_name_of_a_value * a_factor +\nanother_long_name * "
+      "another_factor_with_a_name;\n}\n";
+  EXPECT_EQ(
+      format(sum),
+      "operation o on S {\n  let a_long_name = another_long_name_of_a_value * a_factor +\n      another_long_name * "
+      "another_factor_with_a_name;\n}\n");
   obeys_laws(sum);
 }
 
@@ -155,8 +159,9 @@ rule r on S {  // opens
 }
 
 TEST(Format, colons_of_embeddings_line_up) {
-  EXPECT_EQ(format("modeler M on gmap(2) {\n  embedding a: <0> -> T;\n  embedding abc :vertex->[T] {\n default 1; }\n}"),
-            R"(modeler M on gmap(2) {
+  EXPECT_EQ(
+      format("modeler M on gmap(2) {\n  embedding a: <0> -> T;\n  embedding abc :vertex->[T] {\n default 1; }\n}"),
+      R"(modeler M on gmap(2) {
   embedding a   : <0> -> T;
   embedding abc : vertex -> [T] {
     default 1;
@@ -168,7 +173,8 @@ TEST(Format, colons_of_embeddings_line_up) {
 }
 
 TEST(Format, line_ends_and_byte_order_mark) {
-  EXPECT_EQ(format("\xEF\xBB\xBFimport a;\r\n\r\n// é\r\nimport b;\rimport c;"), "import a;\n\n// é\nimport b;\nimport c;\n");
+  EXPECT_EQ(format("\xEF\xBB\xBFimport a;\r\n\r\n// é\r\nimport b;\rimport c;"),
+            "import a;\n\n// é\nimport b;\nimport c;\n");
   EXPECT_EQ(format("// only\n"), "// only\n");
   EXPECT_EQ(format(""), "");
 }
@@ -181,21 +187,10 @@ TEST(Format, what_does_not_parse_is_left_alone) {
 
 // ---- The laws, for texts with the white space of chance ----
 
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  std::size_t below(std::size_t bound) {
-    state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
-    return static_cast<std::size_t>(state_ >> 33U) % bound;
-  }
-
- private:
-  std::uint64_t state_;
-};
-
 /// White space of a text becomes other white space, now and then a comment.
-std::string shaken(std::string_view text, Random& random) {
-  static constexpr std::string_view gaps[] = {" ", "  ", "\n", "\n\n", "\n\n\n", " \t ", " // c\n", "\n// c\n", " /* c */ ", "\n/* c\n  d */\n"};
+std::string shaken(std::string_view text, tests::Random& random) {
+  static constexpr std::string_view gaps[] = {" ",    "  ",      "\n",       "\n\n",      "\n\n\n",
+                                              " \t ", " // c\n", "\n// c\n", " /* c */ ", "\n/* c\n  d */\n"};
   std::string result;
   bool in_comment = false;
   bool in_string = false;
@@ -207,7 +202,8 @@ std::string shaken(std::string_view text, Random& random) {
       in_comment = false;
       result += '\n';
     } else if (!in_comment && !in_string && (c == ' ' || c == '\n')) {
-      if (result.empty() || (result.back() != ' ' && result.back() != '\n')) result += gaps[random.below(random.below(2) == 0 ? 3 : 10)];
+      if (result.empty() || (result.back() != ' ' && result.back() != '\n'))
+        result += gaps[random.below(random.below(2) == 0 ? 3 : 10)];
     } else {
       result += c;
     }
@@ -217,8 +213,9 @@ std::string shaken(std::string_view text, Random& random) {
 
 TEST(Format, laws_hold_for_any_white_space) {
   for (std::uint64_t seed = 0; seed < 60 && !testing::Test::HasFailure(); ++seed) {
-    Random random(seed);
-    for (auto text : {tests::surface_example, tests::halfedges_example, tests::models_example, tests::everything_example}) {
+    tests::Random random(seed);
+    for (auto text :
+         {tests::surface_example, tests::halfedges_example, tests::models_example, tests::everything_example}) {
       auto const other = shaken(text, random);
       SCOPED_TRACE(other);
       obeys_laws(other);

@@ -555,8 +555,9 @@ TEST_F(Io, MapsThatNoSurfaceFileHolds) {
   for (auto [from, to] : {std::pair{0U, 1U}, {1U, 2U}, {2U, 3U}, {3U, 0U}}) wire.set_target(from, 1, to);
   wire.link(0, 2, 3);
   wire.link(1, 2, 2);
-  for (Dart d = 0; d < 4; ++d)
+  for (Dart d = 0; d < 4; ++d) {
     wire.embedding(0).set_handle(d, wire.embedding(0).add(Point3{double(d % 2), double(d / 3), 0}));
+  }
   wire.embedding(0).set_handle(3, wire.embedding(0).handle(1));
   ASSERT_FALSE(find_violation(wire)) << find_violation(wire)->text;
   EXPECT_EQ(refused(wire), "the face of dart 0 meets the vertex of dart 3 twice" + not_in_a_surface);

@@ -39,7 +39,8 @@ rule sew2 on Surface {
 }
 )";
 
-inline constexpr std::string_view halfedges_example = R"(modeler Halfedges on omap(2) { embedding position : vertex -> Point3; }
+inline constexpr std::string_view halfedges_example =
+    R"(modeler Halfedges on omap(2) { embedding position : vertex -> Point3; }
 
 rule quad_subdivision on Halfedges {
   left  { hook a <1,2>; }

@@ -27,7 +27,7 @@ void write_reserve(Writer& out, Function const& f) {
     for (auto const& component : f.plan.orbits) {
       if (component.embedding == e && component.kind == Kind::merge) ++merges;
     }
-    std::string const more = merges == 0 ? "0" : times(merges, f.size);
+    std::string const more = merges == 0 ? "" : times(merges, f.size);
     if (f.adds_values[e]) {
       out.line("{}.reserve({});", f.new_values[e], more);
     } else if (merges != 0) {
@@ -76,7 +76,11 @@ void write_handles(Writer& out, Function const& f, std::size_t c) {
       return;
     case Kind::inherit:
       for (std::size_t i = 0; i < component.sources.size(); ++i) {
-        out.line("{} {}.set_handle({}, {}[{}]);", f.loop(), embedding, f.dart(component.sources[i].added), f.inherited[c][i], f.index);
+        auto const& source = component.sources[i];
+        // Matched darts still have their handles; where a walk led from them, it led before the arcs changed.
+        std::string const value = source.tail.empty() ? fmt::format("{}.handle({})", embedding, f.dart(source.preserved, source.word))
+                                                      : fmt::format("{}[{}]", f.inherited[c][i], f.index);
+        out.line("{} {}.set_handle({}, {});", f.loop(), embedding, f.dart(source.added), value);
       }
       return;
     case Kind::assign:
@@ -116,9 +120,13 @@ void write_result(Writer& out, Function const& f) {
     firsts += fmt::format("{}{}[0]", firsts.empty() ? "" : ", ", f.darts[id]);
     copies += fmt::format("{}std::move({})", copies.empty() ? "" : ", ", f.darts[id]);
   }
-  if (!firsts.empty() && !f.rule.hooks.empty()) firsts += fmt::format(", {{{}}}", copies);
   out.line();
-  out.line("return {}{{{}}};", f.names.result, firsts);
+  if (firsts.empty() || f.rule.hooks.empty()) {
+    out.line("return {}{{{}}};", f.names.result, firsts);
+  } else {
+    out.line("return {}{{{},", f.names.result, firsts);
+    out.line("{:{}}{{{}}}}};", "", f.names.result.size() + 8, copies);
+  }
 }
 
 }  // namespace

@@ -45,6 +45,8 @@ void declare_result(Writer& out, Function const& f) {
   out.close("};");
 }
 
+enum class Defaults { with, without };
+
 // "Surface& surface, jrule::Dart a, jrule::Point3 apex".
 std::string parameter_list(Function const& f, bool hooks, Defaults defaults, bool mark_unused) {
   std::vector<std::string> list{fmt::format("{}& {}", f.names.modeler, f.modeler)};
@@ -64,26 +66,71 @@ std::string parameter_list(Function const& f, bool hooks, Defaults defaults, boo
   return fmt::format("{}", fmt::join(list, ", "));
 }
 
+void document(Writer& out, Function const& f, bool hooks) {
+  if (hooks) {
+    for (std::string const& line : documentation(f.rule.doc)) out.text(line.empty() ? "///" : "/// " + line);
+  } else {
+    out.line("/// Applies `{}` once for each {}-orbit, in the order of their smallest darts; orbits where it is not applicable", f.names.function, hook_type(f.rule));
+    out.line("/// stay as they are.");
+  }
+  out.line("///");
+  out.line("/// {}", place(f.sources, f.rule.span));
+  if (hooks) {
+    for (std::size_t h = 0; h < f.hooks.size(); ++h) {
+      ir::Node const& node = f.node(f.rule.hooks[h]);
+      out.line("/// @param {}  {}{}", f.hooks[h], role(f, node), remark(node.doc));
+    }
+  }
+  for (std::size_t p = 0; p < f.parameters.size(); ++p) {
+    std::optional<Value> const& value = f.rule.parameters[p].default_value;
+    out.line("/// @param {}  {}{}", f.parameters[p], to_string(f.rule.parameters[p].type), value ? ", by default " + to_string(*value) : "");
+  }
+  out.text(hooks ? "/// @return the darts of the right side; or why the rule is not applicable, and then nothing has changed"
+                 : "/// @return how often it was applied; the first refusal if nowhere, and then nothing has changed");
+}
+
+std::string signature(Function const& f, bool hooks, Defaults defaults, bool mark_unused) {
+  return hooks ? fmt::format("jrule::Result<{}> {}({})", f.names.result, f.names.function, parameter_list(f, true, defaults, mark_unused))
+               : fmt::format("jrule::Result<std::size_t> {}({})", f.names.everywhere, parameter_list(f, false, defaults, mark_unused));
+}
+
+// Functions are `try` blocks as a whole: whatever they allocate, running out of memory leaves the map as it was.
+void close_function(Writer& out, Function const& f) {
+  for (char const* error : {"bad_alloc", "length_error"}) {
+    out.close(fmt::format("}} catch (std::{} const&) {{", error));
+    out.line("  return tl::unexpected(jrule::rewrite::no_memory({}));", literal(f.rule.name));
+  }
+  out.line("}}");
+}
+
+void define_application(Writer& out, Function const& f) {
+  out.open("{} try {{", signature(f, true, Defaults::without, true));
+  bool const idle = f.rule.hooks.empty() && f.plan.added.empty();  // nothing on either side
+  out.line("{}jrule::Map& {} = {}.map();", idle ? "[[maybe_unused]] " : "", f.map, f.modeler);
+  if (!f.rule.hooks.empty()) out.line("jrule::rewrite::Workspace& {} = {}.workspace();", f.workspace, f.modeler);
+  for (std::size_t e = 0; e < f.embeddings.size(); ++e) {
+    if (f.uses_embedding[e]) out.line("jrule::Embedding& {} = {}.embedding({});", f.embeddings[e], f.map, e);
+  }
+  write_match(out, f);
+  write_values(out, f);
+  write_commit(out, f);
+  close_function(out, f);
+}
+
 void define_everywhere(Writer& out, Function const& f) {
   OrbitType type;
   for (Letter const letter : f.rule.hook_type) type.words.push_back({letter});
-  std::string const &orbit = f.local("orbit"), &applied = f.local("applied");
   std::vector<std::string> arguments{f.modeler, f.hooks[0]};
   arguments.insert(arguments.end(), f.parameters.begin(), f.parameters.end());
-  out.line();
-  out.open("jrule::Result<std::size_t> {}({}) try {{", f.names.everywhere, parameter_list(f, false, Defaults::without, false));
-  out.line("static jrule::OrbitType const {} = {};", orbit, orbit_expression(type));
-  out.open("return jrule::rewrite::apply_everywhere({}.map(), {}, [&](jrule::Dart {}) -> jrule::Result<void> {{", f.modeler, orbit, f.hooks[0]);
-  out.line("auto const {} = {}({});", applied, f.names.function, fmt::join(arguments, ", "));
-  out.line("if (!{0}) return tl::unexpected({0}.error());", applied);
+  out.open("{} try {{", signature(f, false, Defaults::without, false));
+  out.line("static jrule::OrbitType const {} = {};", f.local("orbit"), orbit_expression(type));
+  out.open("return jrule::rewrite::apply_everywhere({}.map(), {}, [&](jrule::Dart {}) -> jrule::Result<void> {{", f.modeler, f.local("orbit"),
+           f.hooks[0]);
+  out.line("auto const {} = {}({});", f.local("applied"), f.names.function, fmt::join(arguments, ", "));
+  out.line("if (!{0}) return tl::unexpected({0}.error());", f.local("applied"));
   out.line("return {{}};");
   out.close("});");
-  out.close(fmt::format("}} catch (std::bad_alloc const&) {{"));
-}
-
-void declare_catch(Writer& out, Function const& f) {
-  out.line("  return tl::unexpected(jrule::rewrite::no_memory({}));", literal(f.rule.name));
-  out.line("}}{}", "");
+  close_function(out, f);
 }
 
 }  // namespace
@@ -92,8 +139,22 @@ std::string declare(Function const& f) {
   Writer out;
   declare_result(out, f);
   out.line();
-  for (std::string const& line : documentation(f.rule.doc)) out.line("/// {}", line);
-  return out.text();
+  document(out, f, true);
+  out.line("{};", signature(f, true, Defaults::with, false));
+  if (f.names.everywhere.empty()) return out.all();
+  out.line();
+  document(out, f, false);
+  out.line("{};", signature(f, false, Defaults::with, false));
+  return out.all();
+}
+
+std::string define(Function const& f) {
+  Writer out;
+  define_application(out, f);
+  if (f.names.everywhere.empty()) return out.all();
+  out.line();
+  define_everywhere(out, f);
+  return out.all();
 }
 
 }  // namespace jrule::cpp

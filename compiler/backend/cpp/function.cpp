@@ -18,7 +18,7 @@ Function::Function(Rule const& accepted, source::Sources const& files, PublicNam
   workspace = scope.take("workspace");
   size = scope.take("n");
   index = scope.take("k");
-  for (char const* name : {"at", "to", "expected", "u", "added", "generators", "matches", "twice", "commit", "first"}) locals[name] = scope.take(name);
+  for (char const* name : {"at", "to", "expected", "u", "added", "generators", "matches", "twice", "commit", "first", "orbit", "applied"}) locals[name] = scope.take(name);
   for (ir::Let const& let : rule.lets) lets.push_back(scope.take(let.name));
 
   for (ir::NodeId const hook : rule.hooks) hook_loops.push_back(scope.take("loops_" + node(hook).name));
@@ -61,26 +61,35 @@ Function::Function(Rule const& accepted, source::Sources const& files, PublicNam
   for (ir::ExprPtr const& requirement : rule.requirements) use(*requirement);
 }
 
+void Function::use_orbit_type(OrbitType const& type) {
+  if (type.words.empty() || orbit_types.contains(type)) return;
+  std::string name = "orbit";
+  for (Word const& word : type.words) name += "_" + name_part(word);
+  orbit_types[type] = scope.take(name);
+}
+
 void Function::use(ir::Expr const& expr) {
-  if (auto const* p = std::get_if<ir::ParameterRef>(&expr.value)) {
-    uses_parameter[p->index] = true;
-  } else if (auto const* l = std::get_if<ir::LetRef>(&expr.value)) {
-    uses_let[l->index] = true;
-  } else if (auto const* v = std::get_if<ir::ValueAt>(&expr.value)) {
-    reads_embedding[v->embedding] = uses_embedding[v->embedding] = true;
-  } else if (auto const* c = std::get_if<ir::Collect>(&expr.value)) {
-    reads_embedding[c->embedding] = uses_embedding[c->embedding] = true;
-    for (OrbitType const* type : {&c->orbit, &c->by}) {
-      if (type->words.empty() || orbit_types.contains(*type)) continue;
-      std::string name = "orbit";
-      for (Word const& word : type->words) name += "_" + name_part(word);
-      orbit_types[*type] = scope.take(name);
+  struct Visitor {
+    Function& f;
+    void operator()(ir::Constant const&) const {}
+    void operator()(ir::ParameterRef const& p) const { f.uses_parameter[p.index] = true; }
+    void operator()(ir::LetRef const& l) const { f.uses_let[l.index] = true; }
+    void operator()(ir::ValueAt const& v) const { f.reads_embedding[v.embedding] = f.uses_embedding[v.embedding] = true; }
+    void operator()(ir::Collect const& c) const {
+      f.reads_embedding[c.embedding] = f.uses_embedding[c.embedding] = true;
+      f.use_orbit_type(c.orbit);
+      f.use_orbit_type(c.by);
     }
-  } else if (auto const* a = std::get_if<ir::Apply>(&expr.value)) {
-    for (ir::ExprPtr const& argument : a->arguments) use(*argument);
-  } else if (auto const* c = std::get_if<ir::Conditional>(&expr.value)) {
-    for (ir::ExprPtr const* part : {&c->condition, &c->then_value, &c->else_value}) use(**part);
-  }
+    void operator()(ir::Apply const& a) const {
+      for (ir::ExprPtr const& argument : a.arguments) f.use(*argument);
+    }
+    void operator()(ir::Conditional const& c) const {
+      f.use(*c.condition);
+      f.use(*c.then_value);
+      f.use(*c.else_value);
+    }
+  };
+  std::visit(Visitor{*this}, expr.value);
 }
 
 void Function::name_columns() {

@@ -63,12 +63,9 @@ struct Function {
 
  private:
   void use(ir::Expr const& expr);
+  void use_orbit_type(OrbitType const& type);
   void name_columns();
 };
-
-/// What the user writes in a call after the modeler: "jrule::Dart a, jrule::Point3 apex". Hooks can be left out.
-enum class Defaults { with, without };
-std::vector<std::string> value_parameters(Function const& f, Defaults defaults);
 
 /// The declaration of the rule's result and functions.
 std::string declare(Function const& f);

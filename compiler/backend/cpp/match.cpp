@@ -33,8 +33,8 @@ void write_pattern(Writer& out, Function const& f) {
 void write_columns(Writer& out, Function const& f) {
   if (f.columns.empty()) return;
   out.line();
-  out.line("// {}[{}] is the place in the pattern of its {}-th dart's neighbour by the word {}; and so on.", f.columns.begin()->second, f.index,
-           f.index, jrule::to_string(f.columns.begin()->first));
+  out.line("// {}[{}] is the place in the pattern of the dart where the word {} leads from its {}-th dart; and so on.", f.columns.begin()->second,
+           f.index, jrule::to_string(f.columns.begin()->first), f.index);
   std::vector<std::string> columns;
   for (auto const& [word, name] : f.columns) columns.push_back(fmt::format("{}({})", name, f.size));
   out.line("jrule::rewrite::Column {};", fmt::join(columns, ", "));
@@ -96,7 +96,7 @@ void write_injectivity(Writer& out, Function const& f) {
   out.line();
   out.line("std::vector<jrule::Dart> const* const {}[] = {{{}}};", f.local("matches"), fmt::join(matches, ", "));
   out.open("if (auto const {} = jrule::rewrite::matched_twice({}, {})) {{", f.local("twice"), f.local("matches"), f.workspace);
-  out.line(refuse(fmt::format("matched_twice_error({}, *{})", literal(f.rule.name), f.local("twice"))));
+  out.text(refuse(fmt::format("matched_twice_error({}, *{})", literal(f.rule.name), f.local("twice"))));
   out.close();
 }
 

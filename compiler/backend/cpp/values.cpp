@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "compiler/backend/cpp/expression.h"
 #include "compiler/backend/cpp/sections.h"
 #include "compiler/backend/cpp/text.h"
@@ -64,22 +66,35 @@ void write_clause(Writer& out, Function const& f, std::size_t c) {
   }
   out.open("{} {{", f.loop());
   out.line("std::size_t const {} = {}[{}];", f.local("first"), f.orbits[c], f.index);
-  out.line("{0}[{1}] = {2} == {1} ? {3} : {0}[{2}];", handle, f.index, f.local("first"), add);
+  out.line("{0}[{1}] = {2} < {1} ? {0}[{2}] : {3};", handle, f.index, f.local("first"), add);
   out.close();
+}
+
+// Darts that are matched keep their handles until the commit reads them; those where a walk leads have to be read now.
+bool has_inherited(analysis::OrbitComponent const& component) {
+  return std::any_of(component.sources.begin(), component.sources.end(), [](auto const& source) { return !source.tail.empty(); });
 }
 
 void write_inherited(Writer& out, Function const& f, std::size_t c) {
   auto const& component = f.plan.orbits[c];
-  std::vector<std::string> handles;
-  for (std::string const& name : f.inherited[c]) handles.push_back(fmt::format("{}({})", name, f.size));
-  out.line("std::vector<jrule::Handle> {};", fmt::join(handles, ", "));
-  out.open("{} {{", f.loop());
   for (std::size_t i = 0; i < component.sources.size(); ++i) {
     auto const& source = component.sources[i];
-    out.line("{}[{}] = {}.handle({});", f.inherited[c][i], f.index, f.embeddings[component.embedding],
+    if (source.tail.empty()) continue;
+    out.line("std::vector<jrule::Handle> {}({});", f.inherited[c][i], f.size);
+    out.line("{} {}[{}] = {}.handle({});", f.loop(), f.inherited[c][i], f.index, f.embeddings[component.embedding],
              walk(f.map, f.dart(source.preserved, source.word), source.tail));
   }
-  out.close();
+}
+
+// Is there anything to do for it before the commit?
+bool is_planned(analysis::OrbitComponent const& component) {
+  switch (component.kind) {
+    case Kind::fresh:
+    case Kind::assign: return true;
+    case Kind::inherit: return has_inherited(component);
+    case Kind::merge: return !component.generators.empty();
+  }
+  return true;
 }
 
 void write_component(Writer& out, Function const& f, std::size_t c) {
@@ -117,7 +132,7 @@ void write_component(Writer& out, Function const& f, std::size_t c) {
 
 void write_values(Writer& out, Function const& f) {
   bool any = !f.rule.lets.empty() || !f.rule.requirements.empty();
-  for (auto const& component : f.plan.orbits) any = any || component.kind != Kind::merge || !component.generators.empty();
+  for (auto const& component : f.plan.orbits) any = any || is_planned(component);
   if (!any) return;
   out.line();
   out.line("// ---- Plan: conditions and new values, read from the map as it is ----");
@@ -125,7 +140,7 @@ void write_values(Writer& out, Function const& f) {
   write_views(out, f);
   write_conditions(out, f);
   for (std::size_t c = 0; c < f.plan.orbits.size(); ++c) {
-    if (f.plan.orbits[c].kind != Kind::merge || !f.plan.orbits[c].generators.empty()) write_component(out, f, c);
+    if (is_planned(f.plan.orbits[c])) write_component(out, f, c);
   }
 }
 

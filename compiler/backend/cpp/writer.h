@@ -12,25 +12,28 @@ namespace jrule::cpp {
 class Writer {
  public:
   void line() { text_ += '\n'; }
-  void line(std::string_view text) {
-    if (!text.empty()) text_.append(2 * depth_, ' ').append(text);
-    text_ += '\n';
+  template <class... Args>
+  void line(fmt::format_string<Args...> format, Args&&... args) {
+    text(fmt::format(format, std::forward<Args>(args)...));
   }
-  template <class First, class... Rest>
-  void line(fmt::format_string<First, Rest...> format, First&& first, Rest&&... rest) {
-    line(std::string_view(fmt::format(format, std::forward<First>(first), std::forward<Rest>(rest)...)));
+  /// A line as it is.
+  void text(std::string_view line) {
+    if (!line.empty()) text_.append(2 * depth_, ' ').append(line);
+    text_ += '\n';
   }
   /// A line that the following ones stand inside.
   template <class... Args>
   void open(fmt::format_string<Args...> format, Args&&... args) {
-    line(std::string_view(fmt::format(format, std::forward<Args>(args)...)));
+    line(format, std::forward<Args>(args)...);
     ++depth_;
   }
-  void close(std::string_view text = "}") {
+  void close(std::string_view line = "}") {
     --depth_;
-    line(text);
+    text(line);
   }
-  std::string const& text() const { return text_; }
+  /// Lines that are indented already.
+  void lines(std::string_view text) { text_ += text; }
+  std::string const& all() const { return text_; }
 
  private:
   std::string text_;

@@ -240,10 +240,6 @@ struct Application {
   }
 };
 
-Error no_memory(ir::RuleScheme const& rule) {
-  return {Error::Kind::no_memory, fmt::format("`{}` is not applied: there is not enough memory for its result", rule.name), {}, 0};
-}
-
 }  // namespace
 
 Result<Applied> apply(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map, std::vector<Dart> const& hooks,
@@ -256,9 +252,9 @@ Result<Applied> apply(ir::RuleScheme const& rule, analysis::Plan const& plan, Ma
     application.commit(applied.copies);
     return applied;
   } catch (std::bad_alloc const&) {
-    return tl::unexpected(no_memory(rule));
+    return tl::unexpected(rewrite::no_memory(rule.name));
   } catch (std::length_error const&) {
-    return tl::unexpected(no_memory(rule));
+    return tl::unexpected(rewrite::no_memory(rule.name));
   }
 }
 
@@ -266,22 +262,11 @@ Result<std::size_t> apply_everywhere(ir::RuleScheme const& rule, analysis::Plan 
                                      std::vector<Value> const& arguments, rewrite::Workspace& workspace) {
   OrbitType type;
   for (Letter const letter : rule.hook_type) type.words.push_back({letter});
-  std::vector<Dart> const starts = number_orbits(map, type).first;
-  std::size_t count = 0;
-  std::optional<Error> first_refusal;
-  for (Dart const d : starts) {
-    if (!map.contains(d)) continue;  // deleted by an earlier application
+  return rewrite::apply_everywhere(map, type, [&](Dart d) -> Result<void> {
     auto const applied = apply(rule, plan, map, {d}, arguments, workspace);
-    if (applied) {
-      ++count;
-    } else if (applied.error().kind != Error::Kind::not_applicable) {
-      return tl::unexpected(applied.error());
-    } else if (!first_refusal) {
-      first_refusal = applied.error();
-    }
-  }
-  if (count == 0 && first_refusal) return tl::unexpected(*first_refusal);
-  return count;
+    if (!applied) return tl::unexpected(applied.error());
+    return {};
+  });
 }
 
 }  // namespace jrule::interpreter

@@ -99,6 +99,8 @@ struct OrbitNumbers {
 };
 inline constexpr std::uint32_t no_orbit = 0xffffffffU;
 OrbitNumbers number_orbits(Map const& map, OrbitType const& type);
+/// One dart of each cell of that dimension, the smallest, ascending; none where the model has no such cells. O(darts · words).
+std::vector<Dart> cells(Map const& map, int dimension);
 
 /// The first violation of the model's constraints or of the embeddings, in the order incident arcs, non-orientation,
 /// cycles, closedness, values; by dimension, then dart.

@@ -90,6 +90,17 @@ void merge_orbit(Map& map, std::size_t embedding, Dart d, Workspace& workspace) 
 /// One dart for each ⟨by⟩-orbit inside ⟨type⟩(d), in the order of orbit(); ⟨by⟩ must be a subgroup of ⟨type⟩. O(orbit · words).
 std::vector<Dart> representatives(Map const& map, OrbitType const& type, OrbitType const& by, Dart d);
 
+/// Gives the whole orbit of `d` a new value; strong guarantee. Not part of a rule: for programs that change values by hand.
+void set_value(Map& map, std::size_t embedding, Dart d, Value const& value, Workspace& workspace);
+
+/// Calls `apply` with the smallest dart of each ⟨type⟩-orbit, ascending, as numbered before the first call, unless an earlier
+/// call has deleted it; where it is not applicable the map stays as it is. How often it was applied; the first refusal if
+/// nowhere, or any other error at once.
+Result<std::size_t> apply_everywhere(Map const& map, OrbitType const& type, std::function<Result<void>(Dart)> const& apply);
+
+/// The map itself if it is of this model and has these embeddings; else an error that says what differs.
+Result<Map> expect_modeler(Map map, Model const& model, std::vector<EmbeddingSpec> const& embeddings);
+
 /// The errors of a rule that does not match.
 Error not_a_dart(std::string_view rule, std::string_view hook, Dart d);
 Error arc_differs(std::string_view rule, std::string_view source, int dimension, std::string_view target, Dart at, Dart leads_to,
@@ -97,5 +108,6 @@ Error arc_differs(std::string_view rule, std::string_view source, int dimension,
 Error matched_twice_error(std::string_view rule, Dart d);
 Error hook_not_determined(std::string_view rule, std::string_view hook);
 Error requirement_failed(std::string_view rule, std::string_view condition);
+Error no_memory(std::string_view rule);
 
 }  // namespace jrule::rewrite

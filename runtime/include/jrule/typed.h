@@ -48,7 +48,7 @@ class NewValues {
     return static_cast<Handle>(handle);
   }
   /// Room in the embedding for these values and `more`.
-  void reserve(std::size_t more) { embedding_.reserve_values(values_.size() + more); }
+  void reserve(std::size_t more = 0) { embedding_.reserve_values(values_.size() + more); }
   void commit() noexcept {
     std::vector<Stored<T>>& pool = embedding_.values<Stored<T>>();
     pool.insert(pool.end(), values_.begin(), values_.end());

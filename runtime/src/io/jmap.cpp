@@ -125,16 +125,18 @@ Result<Content> Parser::parse() {
   if (auto ok = parse_model(); !ok) return tl::unexpected(ok.error());
   if (auto ok = parse_darts(); !ok) return tl::unexpected(ok.error());
   while (next_words()) {
-    if (words_[0] != "embedding")
+    if (words_[0] != "embedding") {
       return error("expected 'embedding' or the end of the file, found " + quote(words_[0]));
+    }
     if (auto ok = parse_column(); !ok) return tl::unexpected(ok.error());
   }
   return std::move(content_);
 }
 
 Result<void> Parser::parse_model() {
-  if (!next_words() || words_[0] != "model" || words_.size() < 3)
+  if (!next_words() || words_[0] != "model" || words_.size() < 3) {
     return error("expected 'model', a name and a dimension");
+  }
   content_.model_line = lines_.number();
   auto const digit = [](std::string_view word) -> std::optional<int> {
     if (word.size() != 1 || word[0] < '0' || word[0] > '9') return std::nullopt;
@@ -192,8 +194,9 @@ Result<void> Parser::parse_model() {
 Result<void> Parser::parse_darts() {
   if (!next_words() || words_[0] != "darts" || words_.size() != 2) return error("expected 'darts' and their number");
   auto const count = parse_integer(words_[1]);
-  if (!count || *count < 0 || *count >= std::int64_t{no_dart})
+  if (!count || *count < 0 || *count >= std::int64_t{no_dart}) {
     return error(quote(words_[1]) + " is not a number of darts");
+  }
   std::size_t const dimensions = content_.model.dimensions.size();
   for (std::int64_t d = 0; d < *count; ++d) {
     if (!next_words()) return error(fmt::format("the file ends after {} of {} darts", d, *count));

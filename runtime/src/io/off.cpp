@@ -29,8 +29,9 @@ Result<Surface> parse_off(std::string_view text, std::string const& file) {
   if (!next_words(lines, words)) return error("the file is empty");
   if (words[0] != "OFF") return error(fmt::format("expected 'OFF', found {}; only plain OFF is read", quote(words[0])));
   words.erase(words.begin());
-  if (words.empty() && !next_words(lines, words))
+  if (words.empty() && !next_words(lines, words)) {
     return error("the file ends before the numbers of vertices and faces");
+  }
   if (words.size() < 2 || words.size() > 3) return error("expected the numbers of vertices, faces and edges");
   std::int64_t counts[3] = {};
   for (std::size_t i = 0; i < words.size(); ++i) {

@@ -63,8 +63,9 @@ Result<Header> parse_header(Lines& lines, std::string const& file) {
   Header header;
   std::vector<std::string_view> words;
   auto const error = [&](std::string message) { return bad_input(std::move(message), file, lines.number()); };
-  if (auto const magic = lines.next(); magic != "ply")
+  if (auto const magic = lines.next(); magic != "ply") {
     return error("expected 'ply', found " + quote(magic.value_or("")));
+  }
 
   bool has_format = false;
   while (auto const line = lines.next()) {
@@ -103,9 +104,10 @@ Result<Header> parse_header(Lines& lines, std::string const& file) {
       property.role = role_of(element.name, property);
       if (property.role != Role::none) {
         bool const right = property.role == Role::corners ? is_list && !is_real(property.type) : !is_list;
-        if (!right)
+        if (!right) {
           return error(
               fmt::format("property {} of element '{}' has the wrong type", quote(property.name), element.name));
+        }
         for (Property const& p : element.properties) {
           if (p.role == property.role) return error(fmt::format("a second property {}", quote(property.name)));
         }

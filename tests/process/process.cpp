@@ -1,4 +1,4 @@
-#include "tests/golden/command.h"
+#include "tests/process/process.h"
 
 #include <sys/wait.h>
 
@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace jrule::golden {
+namespace jrule::tests {
 
 namespace {
 
@@ -21,9 +21,10 @@ std::string shell_word(std::string const& text) {
 
 }  // namespace
 
-Outcome check(std::filesystem::path const& folder, std::string const& file) {
-  auto const command = "cd " + shell_word(folder.string()) + " && " + shell_word(JRULE_EXECUTABLE) + " check " +
-                       shell_word(file) + " 2>&1 </dev/null";
+Outcome run(std::filesystem::path const& folder, std::vector<std::string> const& words) {
+  std::string command = "cd " + shell_word(folder.string()) + " &&";
+  for (std::string const& word : words) command += " " + shell_word(word);
+  command += " 2>&1 </dev/null";
   auto* pipe = popen(command.c_str(), "r");
   if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
   Outcome outcome;
@@ -51,4 +52,4 @@ void write(std::filesystem::path const& path, std::string const& text) {
   if (!out) throw std::runtime_error("cannot write " + path.string());
 }
 
-}  // namespace jrule::golden
+}  // namespace jrule::tests

@@ -1,0 +1,90 @@
+// Applying a rule to a whole surface with the interpreter, beside the bandwidth of copying what the result holds.
+#include <benchmark/benchmark.h>
+
+#include <cstring>
+#include <stdexcept>
+
+#include "compiler/analysis/analyze.h"
+#include "compiler/backend/interpreter/interpreter.h"
+#include "compiler/sema/elaborate.h"
+
+namespace {
+
+using namespace jrule;
+
+ir::RuleScheme quad_subdivision() {
+  source::Sources sources;
+  source::Diagnostics diagnostics;
+  sema::Modules const modules = sema::load(JRULE_SOURCE_DIR "/examples/demo/surface.jrule", {}, sources, diagnostics);
+  ir::Program const program = sema::elaborate(modules, diagnostics);
+  if (program.rules.empty()) throw std::runtime_error("the demo's rules are not accepted");
+  return program.rules.front();
+}
+
+// A torus of n × n quads with positions: 8 n² darts.
+Map torus(ir::RuleScheme const& rule, std::uint32_t n) {
+  Map map(rule.model(), rule.modeler->embeddings);
+  map.add_darts(std::size_t{8} * n * n);
+  auto const dart = [n](std::uint32_t x, std::uint32_t y, std::uint32_t k) { return 8 * ((y % n) * n + x % n) + k % 8; };
+  for (std::uint32_t y = 0; y < n; ++y) {
+    for (std::uint32_t x = 0; x < n; ++x) {
+      // Corner k of the square is its k-th in cyclic order; darts 2k and 2k + 1 are the ends of side k.
+      for (std::uint32_t k = 0; k < 4; ++k) {
+        map.link(dart(x, y, 2 * k), 0, dart(x, y, 2 * k + 1));
+        map.link(dart(x, y, 2 * k + 1), 1, dart(x, y, 2 * k + 2));
+      }
+      map.link(dart(x, y, 2), 2, dart(x + 1, y, 7));
+      map.link(dart(x, y, 3), 2, dart(x + 1, y, 6));
+      map.link(dart(x, y, 4), 2, dart(x, y + 1, 1));
+      map.link(dart(x, y, 5), 2, dart(x, y + 1, 0));
+    }
+  }
+  for (std::size_t e = 0; e < map.embedding_count(); ++e) {
+    Embedding& embedding = map.embedding(e);
+    OrbitNumbers const orbits = number_orbits(map, embedding.spec().orbit);
+    for (std::size_t i = 0; i < orbits.first.size(); ++i) {
+      auto const x = static_cast<double>(i);
+      embedding.add(embedding.spec().type == Type::Point3 ? Value(Point3{x, -x, 1}) : Value(Color{0.5, 0.5, 0.5}));
+    }
+    for (Dart d = 0; d < map.dart_limit(); ++d) embedding.set_handle(d, orbits.number[d]);
+  }
+  return map;
+}
+
+void quad_subdivision_interpreted(benchmark::State& state) {
+  ir::RuleScheme const rule = quad_subdivision();
+  analysis::Plan const plan = analysis::analyze(rule).plan;
+  Map const original = torus(rule, static_cast<std::uint32_t>(state.range(0)));
+  rewrite::Workspace workspace;
+  for (auto _ : state) {
+    state.PauseTiming();
+    Map map = original;
+    state.ResumeTiming();
+    auto const applied = interpreter::apply(rule, plan, map, {0}, {}, workspace);
+    if (!applied) state.SkipWithError(applied.error().message.c_str());
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(4 * original.dart_count()));
+}
+BENCHMARK(quad_subdivision_interpreted)->Arg(112)->Unit(benchmark::kMillisecond);
+
+// The roofline: as many bytes as the result's arcs and handles, copied.
+void copy_result(benchmark::State& state) {
+  auto const n = static_cast<std::size_t>(state.range(0));
+  std::vector<char> const from(4 * 8 * n * n * 5 * sizeof(Dart), 'x');
+  std::vector<char> to(from.size());
+  for (auto _ : state) {
+    std::memcpy(to.data(), from.data(), from.size());
+    benchmark::ClobberMemory();
+  }
+  state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(from.size()));
+}
+BENCHMARK(copy_result)->Arg(112)->Unit(benchmark::kMillisecond);
+
+void validity_check(benchmark::State& state) {
+  Map const map = torus(quad_subdivision(), static_cast<std::uint32_t>(state.range(0)));
+  if (auto const violation = find_violation(map)) state.SkipWithError(violation->text.c_str());
+  for (auto _ : state) benchmark::DoNotOptimize(find_violation(map));
+}
+BENCHMARK(validity_check)->Arg(112)->Unit(benchmark::kMillisecond);
+
+}  // namespace

@@ -1,0 +1,202 @@
+// The commands as the language reference documents them (section 9): what they print, what they write, their exit statuses.
+#include <algorithm>
+
+#include "tests/cli/fixture.h"
+
+namespace jrule::tests {
+namespace {
+
+class Commands : public CommandLine {};
+
+bool contains(std::string const& text, std::string const& part) { return text.find(part) != std::string::npos; }
+
+TEST_F(Commands, CheckAcceptsTheDemo) {
+  Outcome const outcome = jrule({"check", demo("surface.jrule"), demo("halfedges.jrule")});
+  EXPECT_EQ(outcome.exit_status, 0);
+  EXPECT_TRUE(contains(outcome.output, "surface.jrule: 3 rules accepted\n")) << outcome.output;
+  EXPECT_TRUE(contains(outcome.output, "halfedges.jrule: 2 rules accepted\n")) << outcome.output;
+}
+
+TEST_F(Commands, CheckPrintsOneJsonObjectALine) {
+  file("bad.jrule", "modeler M on gmap(2);\nrule r on M { left { hook a <0>; } right { a <0>; b <1>; } }\n");
+  Outcome const outcome = jrule({"check", "--message-format", "json", "bad.jrule"});
+  EXPECT_EQ(outcome.exit_status, 1);
+  EXPECT_TRUE(outcome.output.starts_with(R"({"schema":1,"code":"J0302","severity":"error","message":")")) << outcome.output;
+  EXPECT_TRUE(contains(outcome.output, R"("file":"bad.jrule","line":2,"column":51)")) << outcome.output;
+  EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 2) << outcome.output;  // b lacks 0 and 2
+}
+
+TEST_F(Commands, QuadSubdivisionOfTheBunny) {
+  Outcome const outcome = jrule({"apply", demo("surface.jrule") + ":quad_subdivision", "--in", bunny(), "--out", "quads.obj", "--stats", "json"});
+  EXPECT_EQ(outcome.exit_status, 0) << outcome.output;
+  EXPECT_EQ(outcome.output,
+            R"({"model":"gmap","dimension":2,"darts":88176,"cells":[11024,22044,11022],"components":1,"euler":2,"orientable":true,"boundary_darts":0,"valid":true})"
+            "\n");
+  Outcome const again = jrule({"info", "quads.obj"});
+  EXPECT_EQ(again.exit_status, 0);
+  EXPECT_TRUE(contains(again.output, "11 024 vertices, 22 044 edges, 11 022 faces, 88 176 darts, valid\n")) << again.output;
+}
+
+TEST_F(Commands, QuadSubdivisionOfTheBunnyAsOMap) {
+  Outcome const outcome = jrule({"apply", demo("halfedges.jrule") + ":quad_subdivision", "--in", bunny(), "--out", "quads.ply"});
+  EXPECT_EQ(outcome.exit_status, 0) << outcome.output;
+  EXPECT_TRUE(contains(outcome.output, "11 024 vertices, 22 044 edges, 11 022 faces, 44 088 darts, valid\n")) << outcome.output;
+}
+
+TEST_F(Commands, ConeIsNotApplicableToTheBunny) {
+  Outcome const outcome = jrule({"apply", demo("surface.jrule") + ":cone", "--in", bunny(), "--out", "cone.obj", "--at", "face:0", "apex=0,0,1"});
+  EXPECT_EQ(outcome.exit_status, 1);
+  EXPECT_TRUE(contains(outcome.output, "`cone` is not applicable: the 2-arc of `a` has to be a loop")) << outcome.output;
+  EXPECT_EQ(files(), std::vector<std::string>{});
+}
+
+TEST_F(Commands, ConeOnASquare) {
+  Outcome const outcome = jrule({"apply", demo("surface.jrule") + ":cone", "--in", demo("square.off"), "--out", "p.off", "--at", "face:0", "apex=Point3(0.5,0.5,1)"});
+  EXPECT_EQ(outcome.exit_status, 0) << outcome.output;
+  EXPECT_TRUE(contains(outcome.output, "5 vertices, 8 edges, 5 faces, 32 darts, valid\n")) << outcome.output;
+  EXPECT_TRUE(contains(content("p.off"), "0.5 0.5 1\n"));
+}
+
+TEST_F(Commands, SewingTwoSquares) {
+  file("two.off", "OFF\n8 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 0\n4 0 0\n4 1 0\n3 1 0\n4 0 1 2 3\n4 4 5 6 7\n");
+  // Dart 3 is at (1,1), dart 15 at (3,0)... of the edges x = 1 and x = 3, the ends that meet are darts 2 (1,0) and 15 (3,0).
+  Outcome const sewn = jrule({"apply", demo("surface.jrule") + ":sew2", "--in", "two.off", "--out", "sewn.obj", "--at", "dart:2,dart:15"});
+  EXPECT_EQ(sewn.exit_status, 0) << sewn.output;
+  EXPECT_TRUE(contains(sewn.output, "6 vertices, 7 edges, 2 faces, 16 darts, valid\n")) << sewn.output;
+  EXPECT_TRUE(contains(content("sewn.obj"), "v 2 0 0\n"));
+  EXPECT_TRUE(contains(content("sewn.obj"), "v 2 1 0\n"));
+  // An edge cannot be sewn to itself, and not without a dart for each hook.
+  EXPECT_EQ(jrule({"apply", demo("surface.jrule") + ":sew2", "--in", "two.off", "--out", "x.obj", "--at", "dart:2,dart:2"}).exit_status, 1);
+  EXPECT_EQ(jrule({"apply", demo("surface.jrule") + ":sew2", "--in", "two.off", "--out", "x.obj", "--at", "dart:2"}).exit_status, 2);
+  EXPECT_EQ(jrule({"apply", demo("surface.jrule") + ":sew2", "--in", "two.off", "--out", "x.obj"}).exit_status, 2);
+  EXPECT_EQ(files(), (std::vector<std::string>{"sewn.obj", "two.off"}));
+}
+
+TEST_F(Commands, RulesOfTheLibraryTakeTheirDimension) {
+  std::string const basic = JRULE_SOURCE_DIR "/stdlib/std/basic.jrule";
+  file("two.jmap", "jmap 1\nmodel gmap 1\ndarts 4\n1 0\n0 1\n3 2\n2 3\n");
+  Outcome const sewn = jrule({"apply", basic + ":sew[1]", "--in", "two.jmap", "--out", "one.jmap", "--at", "dart:1,dart:2"});
+  EXPECT_EQ(sewn.exit_status, 0) << sewn.output;
+  EXPECT_TRUE(contains(content("one.jmap"), "darts 4\n1 0\n0 2\n3 1\n2 3\n")) << content("one.jmap");
+  Outcome const unsewn = jrule({"apply", basic + ":unsew[1]", "--in", "one.jmap", "--out", "again.jmap", "--at", "dart:1"});
+  EXPECT_EQ(unsewn.exit_status, 0) << unsewn.output;
+  EXPECT_EQ(content("again.jmap"), content("two.jmap"));
+  EXPECT_EQ(jrule({"apply", basic + ":sew", "--in", "two.jmap", "--out", "x.jmap", "--at", "dart:1,dart:2"}).exit_status, 1);
+  EXPECT_EQ(jrule({"apply", basic + ":sew[7]", "--in", "two.jmap", "--out", "x.jmap", "--at", "dart:1,dart:2"}).exit_status, 1);
+}
+
+TEST_F(Commands, ARuleThatCreatesNeedsNoMesh) {
+  file("new.jrule", "modeler M on gmap(1);\nrule segment on M { left {} right { a; b; a -0- b; a -1- a; b -1- b; } }\n");
+  Outcome const outcome = jrule({"apply", "new.jrule:segment", "--out", "edge.jmap"});
+  EXPECT_EQ(outcome.exit_status, 0) << outcome.output;
+  EXPECT_EQ(content("edge.jmap"), "jmap 1\nmodel gmap 1\ndarts 2\n1 0\n0 1\n");
+}
+
+TEST_F(Commands, AllAppliesToEachOrbitOnce) {
+  file("two.off", "OFF\n8 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 0\n4 0 0\n4 1 0\n3 1 0\n4 0 1 2 3\n4 4 5 6 7\n");
+  Outcome const outcome = jrule({"apply", demo("surface.jrule") + ":cone", "--in", "two.off", "--out", "p.off", "--at", "all", "apex=0,0,1"});
+  EXPECT_EQ(outcome.exit_status, 0) << outcome.output;
+  EXPECT_TRUE(contains(outcome.output, "cone: applied 2 times\n10 vertices, 16 edges, 10 faces, 64 darts, valid\n")) << outcome.output;
+}
+
+TEST_F(Commands, ArgumentsAreChecked) {
+  auto const cone = [&](std::vector<std::string> const& values) {
+    std::vector<std::string> words{"apply", demo("surface.jrule") + ":cone", "--in", demo("square.off"), "--out", "p.off", "--at", "face:0"};
+    words.insert(words.end(), values.begin(), values.end());
+    return jrule(words);
+  };
+  EXPECT_TRUE(contains(cone({}).output, "the parameter `apex` of `cone` is missing"));
+  EXPECT_TRUE(contains(cone({"apex=1,2"}).output, "`1,2` is not a Point3"));
+  EXPECT_TRUE(contains(cone({"apex=1,2,nan"}).output, "is not a Point3"));
+  EXPECT_TRUE(contains(cone({"top=1,2,3"}).output, "`cone` has no parameter `top`"));
+  EXPECT_TRUE(contains(cone({"apex=1,2,3", "apex=1,2,3"}).output, "given twice"));
+  EXPECT_EQ(cone({}).exit_status, 2);
+  EXPECT_EQ(files(), std::vector<std::string>{});
+}
+
+TEST_F(Commands, SelectionsAreChecked) {
+  for (std::string const at : {"face:1", "dart:8", "dart:-1", "corner:0", "face", "", "volume:0", "dart:99999999999"}) {
+    Outcome const outcome = jrule({"apply", demo("surface.jrule") + ":cone", "--in", demo("square.off"), "--out", "p.off", "--at=" + (at.empty() ? "," : at), "apex=0,0,1"});
+    EXPECT_EQ(outcome.exit_status, 2) << at << ": " << outcome.output;
+  }
+  EXPECT_EQ(files(), std::vector<std::string>{});
+}
+
+TEST_F(Commands, ARefusedRuleIsNotApplied) {
+  Outcome const outcome = jrule({"apply", demo("wrong.jrule") + ":breaks_a_cycle", "--in", bunny(), "--out", "x.obj"});
+  EXPECT_EQ(outcome.exit_status, 1);
+  EXPECT_TRUE(contains(outcome.output, "[J0321]")) << outcome.output;
+  EXPECT_EQ(jrule({"apply", demo("surface.jrule") + ":conee", "--in", bunny(), "--out", "x.obj"}).exit_status, 1);
+  EXPECT_EQ(jrule({"apply", demo("surface.jrule"), "--in", bunny(), "--out", "x.obj"}).exit_status, 2);
+  EXPECT_EQ(files(), std::vector<std::string>{});
+}
+
+TEST_F(Commands, EmitShowsEachStage) {
+  for (std::string const stage : {"ast", "ir", "dot", "cpp"}) {
+    Outcome const outcome = jrule({"emit", stage, demo("surface.jrule")});
+    EXPECT_EQ(outcome.exit_status, 0) << stage << ": " << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "quad_subdivision")) << stage << ": " << outcome.output;
+  }
+  for (std::string const stage : {"svg", "certificate"}) {
+    Outcome const outcome = jrule({"emit", stage, demo("surface.jrule")});
+    EXPECT_EQ(outcome.exit_status, 2);
+    EXPECT_TRUE(contains(outcome.output, "[J0902]")) << outcome.output;
+  }
+  EXPECT_EQ(jrule({"emit", "soup", demo("surface.jrule")}).exit_status, 2);
+}
+
+TEST_F(Commands, EmitCppWritesAHeaderASourceAndADepfile) {
+  file("surface.jrule", read(demo("surface.jrule")));
+  Outcome const outcome = jrule({"emit", "cpp", "surface.jrule", "-o", "out", "--depfile", "out/surface.d", "--write-if-changed"});
+  EXPECT_EQ(outcome.exit_status, 0) << outcome.output;
+  EXPECT_TRUE(std::filesystem::exists(folder() / "out/surface.h"));
+  EXPECT_TRUE(std::filesystem::exists(folder() / "out/surface.cpp"));
+  std::string const depfile = content("out/surface.d");
+  EXPECT_TRUE(contains(depfile, (folder() / "surface.jrule").string())) << depfile;
+  auto const before = std::filesystem::last_write_time(folder() / "out/surface.h");
+  EXPECT_EQ(jrule({"emit", "cpp", "surface.jrule", "-o", "out", "--write-if-changed"}).exit_status, 0);
+  EXPECT_EQ(std::filesystem::last_write_time(folder() / "out/surface.h"), before);
+}
+
+TEST_F(Commands, EmitCppOfARefusedRuleWritesNothing) {
+  Outcome const outcome = jrule({"emit", "cpp", demo("wrong.jrule"), "-o", "out"});
+  EXPECT_EQ(outcome.exit_status, 1);
+  EXPECT_EQ(files(), std::vector<std::string>{});
+}
+
+TEST_F(Commands, Fmt) {
+  std::string const canonical = read(demo("surface.jrule"));
+  file("a.jrule", canonical);
+  EXPECT_EQ(jrule({"fmt", "--check", "a.jrule"}).exit_status, 0) << jrule({"fmt", "--check", "a.jrule"}).output;
+  file("b.jrule", "modeler   M on gmap( 2 ) ;");
+  EXPECT_EQ(jrule({"fmt", "--check", "b.jrule"}).exit_status, 1);
+  EXPECT_EQ(content("b.jrule"), "modeler   M on gmap( 2 ) ;");
+  EXPECT_EQ(jrule({"fmt", "b.jrule"}).exit_status, 0);
+  EXPECT_EQ(content("b.jrule"), "modeler M on gmap(2);\n");
+}
+
+TEST_F(Commands, Explain) {
+  Outcome const outcome = jrule({"explain", "j0302"});
+  EXPECT_EQ(outcome.exit_status, 0);
+  EXPECT_TRUE(outcome.output.starts_with("# J0302: ")) << outcome.output;
+  EXPECT_TRUE(contains(jrule({"explain"}).output, "J0302"));
+  EXPECT_EQ(jrule({"explain", "J9999"}).exit_status, 2);
+}
+
+TEST_F(Commands, UsageErrors) {
+  EXPECT_EQ(jrule({}).exit_status, 2);
+  EXPECT_EQ(jrule({"frobnicate"}).exit_status, 2);
+  EXPECT_EQ(jrule({"check"}).exit_status, 2);
+  EXPECT_EQ(jrule({"check", "--no-such-option", "x"}).exit_status, 2);
+  EXPECT_EQ(jrule({"--help"}).exit_status, 0);
+  EXPECT_EQ(jrule({"apply", "--help"}).exit_status, 0);
+  EXPECT_TRUE(contains(jrule({"--version"}).output, "jrule "));
+  for (std::string const command : {"run", "lsp"}) {
+    Outcome const outcome = jrule({command, "x"});
+    EXPECT_EQ(outcome.exit_status, 2);
+    EXPECT_TRUE(contains(outcome.output, "[J0902]")) << outcome.output;
+  }
+}
+
+}  // namespace
+}  // namespace jrule::tests

@@ -1,0 +1,62 @@
+#include "tests/property/models.h"
+
+#include <cstdint>
+
+namespace jrule::property {
+
+namespace {
+
+Model custom(std::string name, std::vector<int> dimensions, std::uint16_t oriented, std::vector<std::pair<int, int>> exchange, bool closed = false) {
+  Model model;
+  model.name = std::move(name);
+  model.dimension = dimensions.back();
+  model.dimensions = std::move(dimensions);
+  model.oriented = oriented;
+  model.exchange = std::move(exchange);
+  model.closed = closed;
+  return model;
+}
+
+constexpr std::uint16_t bits(int a, int b) { return static_cast<std::uint16_t>((1U << a) | (1U << b)); }
+
+}  // namespace
+
+std::vector<Model> const& models() {
+  static std::vector<Model> const all{
+      gmap(2), gmap(3), omap(2), omap(3), closed_gmap(2), dual_omap(3), gmap(1), omap(4), closed_gmap(3), gmap(4), dual_omap(2),
+      closed_gmap(1), omap(1), gmap(0),
+      // Every pair of three involutions commutes.
+      custom("cube", {0, 1, 2}, 0, {{0, 1}, {0, 2}, {1, 2}}),
+      // The exchangeable pairs of theory.md, section 1.
+      custom("path", {0, 1, 2}, 0, {{0, 1}, {1, 2}}),
+      // Two oriented dimensions, each exchangeable with a non-oriented one.
+      custom("two_oriented", {1, 2, 3, 5}, bits(1, 5), {{1, 3}, {2, 5}, {3, 5}}),
+      // Oriented and closed, with a gap between its dimensions.
+      custom("closed_oriented", {1, 4, 7}, static_cast<std::uint16_t>(1U << 4), {{1, 7}, {4, 7}}, true)};
+  return all;
+}
+
+std::shared_ptr<ir::Modeler const> bare(Model const& model) {
+  auto modeler = std::make_shared<ir::Modeler>();
+  modeler->name = model.name;
+  modeler->model = model;
+  return modeler;
+}
+
+std::shared_ptr<ir::Modeler const> embedded(Model const& model) {
+  auto modeler = std::make_shared<ir::Modeler>(*bare(model));
+  auto const add = [&](std::string name, OrbitType orbit) {
+    modeler->embeddings.push_back({std::move(name), std::move(orbit), Type::Int, Value(std::int64_t{-1}), MergePolicy::first});
+    modeler->embedding_docs.emplace_back();
+    modeler->embedding_spans.emplace_back();
+  };
+  for (int i = 0; i <= model.dimension; ++i) {
+    if (auto const orbit = cell_orbit(model, i)) add("cell" + std::to_string(i), *orbit);
+  }
+  add("dart", orbit_of_dimensions({}));
+  for (int const i : model.dimensions) add("arc" + std::to_string(i), orbit_of_dimensions({i}));
+  add("component", component_orbit(model));
+  return modeler;
+}
+
+}  // namespace jrule::property

@@ -1,0 +1,19 @@
+// The models that random cases are drawn from.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "compiler/ir/rule_scheme.h"
+
+namespace jrule::property {
+
+/// G-maps, O-maps, their duals and closed G-maps of small dimensions, and models of other shapes.
+std::vector<Model> const& models();
+
+/// A modeler without embeddings.
+std::shared_ptr<ir::Modeler const> bare(Model const& model);
+/// One with an Int on each cell, and on the orbits of some dimensions; each value has a default and merges by `first`.
+std::shared_ptr<ir::Modeler const> embedded(Model const& model);
+
+}  // namespace jrule::property
