@@ -43,7 +43,7 @@ void report_unknown(source::Diagnostics& diagnostics, source::Code code, ast::Na
                     std::vector<std::string> const& known) {
   source::Diagnostic d{.code = code, .span = name.span, .message = fmt::format("unknown {} `{}`", what, name.text)};
   if (auto const close = nearest(name.text, known)) {
-    d.fixits.push_back({name.span, *close, fmt::format("did you mean `{}`?", *close)});
+    d.fixits.push_back({name.span, *close, fmt::format("did you mean `{}`", *close)});
   } else if (!known.empty() && known.size() <= 12) {
     d.notes.push_back(fmt::format("known here: `{}`", fmt::join(known, "`, `")));
   }

@@ -28,6 +28,7 @@ struct RuleElaboration {
   ir::RuleScheme rule;
   std::map<std::string, ir::NodeId> left_nodes, right_nodes;
   std::map<ir::NodeId, ast::Node const*> left_declarations;
+  bool hook_type_known = false;  // else its error is reported, and nothing is said about positions
   std::set<std::pair<std::string, bool>> unknown_nodes;  // that arcs name, on the left?
 
   RuleElaboration(ast::Rule const& r, std::shared_ptr<ir::Modeler const> modeler, DimensionValues const& v, Diagnostics& d)
@@ -89,7 +90,13 @@ struct RuleElaboration {
 
   // The first hook's type ⟨o1,…,ok⟩, to which all decorations refer.
   void read_hook_type() {
-    if (rule.hooks.empty()) return;
+    if (rule.hooks.empty()) {
+      if (rule.nodes.empty() || rule.nodes.front().added()) return;  // an empty left side needs none
+      report(Code::unhooked_component, *rule.nodes.front().left_span, "no node of the left side is a hook", {},
+             {"each connected component of the left side needs exactly one hook: the dart that says where it is matched",
+              fmt::format("declare `hook {} <…>;`", rule.nodes.front().name)});
+      return;
+    }
     ast::Node const& hook = *left_declarations.at(rule.hooks.front());
     if (!hook.decoration) {
       report(Code::hook_not_full, hook.name.span, fmt::format("the hook `{}` has no orbit type", hook.name.text), {},
@@ -111,7 +118,10 @@ struct RuleElaboration {
       }
       rule.hook_type.push_back(*letter);
     }
+    hook_type_known = rule.hook_type.size() == positions->size();
   }
+
+  bool creates() const { return rule.hooks.empty() && left_nodes.empty(); }
 
   // ---- Arcs ----
 
@@ -135,13 +145,13 @@ struct RuleElaboration {
     ir::Node const& node = rule.nodes[id];
     auto const positions = evaluate_elements(model, decoration.elements, values, diagnostics);
     if (!positions) return;
-    if (rule.hooks.empty()) {
+    if (creates()) {
       report(Code::decoration_without_hook, decoration.span, fmt::format("`{}` is decorated in a rule without hooks", node.name), {},
              {"a decoration says what happens to the orbit of the first hook; without a hook, nodes stand alone: `a;`"});
       return;
     }
+    if (!hook_type_known) return;  // reported
     ast::Node const& hook = *left_declarations.at(rule.hooks.front());
-    if (!hook.decoration) return;  // reported
     if (positions->size() != rule.hook_type.size()) {
       Diagnostic d{.code = Code::size_condition, .span = decoration.span,
                    .message = fmt::format("`{}` has {} position{}, but the type of the hook `{}` has {}", node.name, positions->size(),
@@ -244,7 +254,7 @@ struct RuleElaboration {
       std::optional<Word> word = Word{};
       if (step.word) word = evaluate_word(model, *step.word, values, diagnostics);
       if (!d || !word || !ids[i] || !ids[i + 1]) continue;
-      if (!word->empty() && rule.hooks.empty()) {
+      if (!word->empty() && creates()) {
         report(Code::decoration_without_hook, step.word->span, "an arc carries a word in a rule without hooks", {},
                {"words are walked in the orbit of the first hook; without a hook there is none"});
         continue;
@@ -259,8 +269,9 @@ struct RuleElaboration {
         if (!same || duplicate) continue;
         duplicate = true;
         Diagnostic diagnostic{.code = Code::duplicate_arc, .span = step.span,
-                              .message = fmt::format("the {}-arc from `{}` to `{}` is written twice on the {} side", *d, rule.nodes[arc.source].name,
-                                                     rule.nodes[arc.target].name, left ? "left" : "right"),
+                              .message = fmt::format("the {}-arc from `{}` to {} is written twice on the {} side", *d, rule.nodes[arc.source].name,
+                                                     arc.source == arc.target ? "itself" : fmt::format("`{}`", rule.nodes[arc.target].name),
+                                                     left ? "left" : "right"),
                               .labels = {{same->span, "first written here"}}};
         if (chain.steps.size() == 1) diagnostic.fixits.push_back({chain.span, "", "remove the second one"});
         diagnostics.add(std::move(diagnostic));

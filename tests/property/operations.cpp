@@ -49,20 +49,15 @@ struct Chain {
 Result chain_operation(Modeler const& modeler, std::string const& name, std::vector<int> const& type, std::vector<int> const& free, Chain const& chain) {
   if (modeler->model.closed && !free.empty()) return none;
   RuleBuilder rule(modeler, name, type);
-  ir::NodeId const a = rule.node(On::both);
-  std::vector<std::optional<Letter>> full;
-  for (int const d : type) full.push_back(letter(d));
-  rule.decorate(On::left, a, full).loops(On::left, a, free);
+  ir::NodeId const a = rule.rewired_hook();
+  rule.loops(On::left, a, free);
   rule.decorate(On::right, a, decoration(type, chain.decorations[0]));
   for (std::size_t k = 1; k < chain.decorations.size(); ++k) {
     ir::NodeId const b = rule.node(On::right);
     rule.decorate(On::right, b, decoration(type, chain.decorations[k]));
     rule.arc(On::right, b - 1, chain.links[k - 1], b);
   }
-  ir::RuleScheme scheme = rule.build();
-  scheme.nodes[a].hook = 0;
-  scheme.hooks = {a};
-  return scheme;
+  return rule.build();
 }
 
 Result quad_subdivision(Modeler const& modeler, Random&) {
@@ -143,26 +138,19 @@ Result oriented_triangulation(Modeler const& modeler, Random&) {
   bool const solid = is_omap(modeler->model, 3);
   if (!solid && !is_omap(modeler->model, 2)) return none;
   RuleBuilder rule(modeler, "oriented_triangulation", solid ? std::vector<int>{1, 3} : std::vector<int>{1});
-  ir::NodeId const a = rule.hook(On::left), b = rule.node(On::right), c = rule.node(On::right);
-  ir::RuleScheme scheme;
+  ir::NodeId const a = rule.rewired_hook(), b = rule.node(On::right), c = rule.node(On::right);
   rule.arc(On::right, a, 1, b).arc(On::right, b, 1, c).arc(On::right, c, 1, a).arc(On::right, b, 2, c, word(1));
   if (solid) rule.arc(On::right, a, 3, a, word(3)).arc(On::right, b, 3, c, word(3));
-  scheme = rule.build();
-  scheme.nodes[a].right_span = scheme.nodes[a].left_span;
-  renumber_spans(scheme);
-  return scheme;
+  return rule.build();
 }
 
 Result oriented_quad_subdivision(Modeler const& modeler, Random&) {
   if (!is_omap(modeler->model, 2)) return none;
   RuleBuilder rule(modeler, "oriented_quad_subdivision", {1, 2});
-  ir::NodeId const a = rule.hook(On::left), b = rule.node(On::right), c = rule.node(On::right), d = rule.node(On::right);
+  ir::NodeId const a = rule.rewired_hook(), b = rule.node(On::right), c = rule.node(On::right), d = rule.node(On::right);
   rule.arc(On::right, a, 1, c).arc(On::right, c, 1, d).arc(On::right, d, 1, b).arc(On::right, b, 1, a);
   rule.arc(On::right, a, 2, b, word(2, 1)).arc(On::right, c, 2, d, word(1));
-  ir::RuleScheme scheme = rule.build();
-  scheme.nodes[a].right_span = scheme.nodes[a].left_span;
-  renumber_spans(scheme);
-  return scheme;
+  return rule.build();
 }
 
 Result oriented_vertex_insertion(Modeler const& modeler, Random&) {
@@ -307,7 +295,7 @@ Result product(Modeler const& modeler, Random& random, bool with_free) {
   auto const map = small_map(model, random);
   if (!map || (model.closed && !free.empty())) return none;
   RuleBuilder rule(modeler, "product", type);
-  ir::NodeId const a = rule.hook(On::left);
+  ir::NodeId const a = rule.rewired_hook();
   rule.loops(On::left, a, free);
   std::vector<Word> gauge{{}};
   for (Dart x = 1; x < map->dart_limit(); ++x) {
@@ -315,27 +303,20 @@ Result product(Modeler const& modeler, Random& random, bool with_free) {
     gauge.push_back(random.chance(40) ? random_word(model, type, random) : Word{});
   }
   add_map(rule, On::right, a, *map, type, gauge);
-  ir::RuleScheme scheme = rule.build();
-  scheme.nodes[a].right_span = scheme.nodes[a].left_span;
-  renumber_spans(scheme);
-  return scheme;
+  return rule.build();
 }
 
 /// Relabels every arc of a component by the same word: (u)·d = u·g·d·ḡ.
 Result inner_relabelling(Modeler const& modeler, Random& random) {
   Model const& model = modeler->model;
   RuleBuilder rule(modeler, "inner_relabelling", model.dimensions);
-  ir::NodeId const a = rule.node(On::both);
+  ir::NodeId const a = rule.rewired_hook();
   Word const g = random_word(model, model.dimensions, random);
   algebra::Group const& group = rule.group();
   for (int const d : model.dimensions) {
-    rule.arc(On::left, a, d, a, word(d));
     rule.arc(On::right, a, d, a, group.product(group.product(g, word(d)), group.inverse(g)));
   }
-  ir::RuleScheme scheme = rule.build();
-  scheme.nodes[a].hook = 0;
-  scheme.hooks = {a};
-  return scheme;
+  return rule.build();
 }
 
 /// Replaces a finite map by another one; either may be empty.
@@ -346,7 +327,6 @@ Result replacement(Modeler const& modeler, Random& random) {
   if (!before || !after) return none;
   if (kind != 0) {
     rule.hook(On::left);
-    Growth const whole(modeler->model);
     for (Dart x = 1; x < before->dart_limit(); ++x) rule.node(On::left);
     if (number_orbits(*before, component_orbit(modeler->model)).first.size() > 1) return none;
     add_map(rule, On::left, 0, *before, {}, std::vector<Word>(before->dart_limit()));

@@ -54,6 +54,12 @@ ir::NodeId RuleBuilder::hook(On side, std::vector<Letter> const& loops) {
   return id;
 }
 
+ir::NodeId RuleBuilder::rewired_hook() {
+  ir::NodeId const id = hook(On::left);
+  rule_.nodes[id].right_span = ir::Span{};
+  return id;
+}
+
 RuleBuilder& RuleBuilder::arc(On side, ir::NodeId source, int dimension, ir::NodeId target, Word const& word) {
   for (ir::Arc const& arc : with_reverse(group_, source, dimension, word, target)) {
     if (side != On::right) rule_.left.arcs.push_back(arc);

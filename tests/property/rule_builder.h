@@ -29,7 +29,9 @@ class RuleBuilder {
   ir::NodeId node(On side);
   /// A preserved (`On::both`) or deleted (`On::left`) node with the loops of its type on those sides.
   ir::NodeId hook(On side);
-  /// Another hook, with these loops.
+  /// A preserved hook whose loops are on the left only: the right side gives it others.
+  ir::NodeId rewired_hook();
+  /// A further hook, with these loops.
   ir::NodeId hook(On side, std::vector<Letter> const& loops);
   RuleBuilder& arc(On side, ir::NodeId source, int dimension, ir::NodeId target, Word const& word = {});
   /// The decoration `node <e1,…,ek>`; none is `_`.

@@ -97,10 +97,10 @@ std::string signature(Function const& f, bool hooks, Defaults defaults, bool mar
 // Functions are `try` blocks as a whole: whatever they allocate, running out of memory leaves the map as it was.
 void close_function(Writer& out, Function const& f) {
   for (char const* error : {"bad_alloc", "length_error"}) {
-    out.close(fmt::format("}} catch (std::{} const&) {{", error));
-    out.line("  return tl::unexpected(jrule::rewrite::no_memory({}));", literal(f.rule.name));
+    out.reopen("}} catch (std::{} const&) {{", error);
+    out.line("return tl::unexpected(jrule::rewrite::no_memory({}));", literal(f.rule.name));
   }
-  out.line("}}");
+  out.close();
 }
 
 void define_application(Writer& out, Function const& f) {

@@ -31,6 +31,12 @@ class Writer {
     --depth_;
     text(line);
   }
+  /// Closes and opens again in one line: "} else {".
+  template <class... Args>
+  void reopen(fmt::format_string<Args...> format, Args&&... args) {
+    --depth_;
+    open(format, std::forward<Args>(args)...);
+  }
   /// Lines that are indented already.
   void lines(std::string_view text) { text_ += text; }
   std::string const& all() const { return text_; }

@@ -244,6 +244,12 @@ struct Application {
 
 Result<Applied> apply(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map, std::vector<Dart> const& hooks,
                       std::vector<Value> const& arguments, rewrite::Workspace& workspace) {
+  if (!is_of_modeler(map, *rule.modeler)) {
+    return fail(Error::Kind::bad_input, fmt::format("the map is not of the modeler `{}` that `{}` is on", rule.modeler->name, rule.name));
+  }
+  if (hooks.size() != rule.hooks.size() || arguments.size() != rule.parameters.size()) {
+    return fail(Error::Kind::bad_input, fmt::format("`{}` takes {} darts and {} values", rule.name, rule.hooks.size(), rule.parameters.size()));
+  }
   try {
     Application application{rule, plan, map, arguments, workspace};
     if (auto const matched = application.find_match(hooks); !matched) return tl::unexpected(matched.error());

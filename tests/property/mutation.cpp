@@ -1,0 +1,263 @@
+#include "tests/property/mutation.h"
+
+#include <algorithm>
+#include <array>
+
+#include "tests/property/rule_builder.h"
+
+namespace jrule::property {
+
+namespace {
+
+struct Mutation {
+  ir::RuleScheme rule;
+  Random& random;
+  algebra::Group group{rule.model()};
+
+  // ---- Edges: an arc with its reverse, on the sides where both are. ----
+
+  ir::Side& side(bool left) { return left ? rule.left : rule.right; }
+
+  bool has(bool left, ir::Arc const& arc) { return ir::find_same(side(left), arc) != nullptr; }
+  void erase(bool left, ir::Arc const& arc) {
+    for (ir::Arc const& a : with_reverse(group, arc.source, arc.dimension, arc.word, arc.target)) {
+      std::erase_if(side(left).arcs, [&](ir::Arc const& other) { return other.same(a); });
+    }
+  }
+  void insert(bool left, ir::Arc const& arc) {
+    for (ir::Arc const& a : with_reverse(group, arc.source, arc.dimension, arc.word, arc.target)) {
+      if (!has(left, a)) side(left).arcs.push_back(a);
+    }
+  }
+
+  /// Replaces an edge of one side, or of both if both have it, mostly.
+  bool replace(bool left, ir::Arc const& old, std::optional<ir::Arc> const& changed) {
+    bool const on_both = has(!left, old) && random.chance(50);
+    erase(left, old);
+    if (on_both) erase(!left, old);
+    if (!changed) return true;
+    insert(left, *changed);
+    if (on_both) insert(!left, *changed);
+    return true;
+  }
+
+  std::optional<std::pair<bool, ir::Arc>> random_edge() {
+    bool const left = !rule.left.arcs.empty() && random.chance(35);
+    if (side(left).arcs.empty()) return {};
+    return std::pair(left, random.pick(side(left).arcs));
+  }
+
+  std::vector<ir::NodeId> nodes_on(bool left) const {
+    std::vector<ir::NodeId> ids;
+    for (ir::NodeId id = 0; id < rule.nodes.size(); ++id) {
+      if (left ? !rule.nodes[id].added() : !rule.nodes[id].deleted()) ids.push_back(id);
+    }
+    return ids;
+  }
+
+  Word random_word() {
+    Word word;
+    if (rule.hooks.empty()) return word;
+    bool const any_letter = rule.hook_type.empty() || random.chance(25);
+    for (std::size_t k = random.chance(40) ? 0 : random.between(1, 3); k > 0; --k) {
+      int const d = any_letter ? random.pick(rule.model().dimensions) : int{random.pick(rule.hook_type).dimension};
+      word.push_back(letter(d, rule.model().is_oriented(d) && random.chance(50)));
+    }
+    return group.normal_form(word);
+  }
+
+  // ---- Changes; each returns false if there is nothing to change. ----
+
+  bool change_word() {
+    auto const edge = random_edge();
+    if (!edge) return false;
+    ir::Arc changed = edge->second;
+    if (!changed.word.empty() && random.chance(50)) {
+      std::size_t const k = random.below(changed.word.size());
+      switch (random.below(3)) {
+        case 0: changed.word.erase(changed.word.begin() + static_cast<std::ptrdiff_t>(k)); break;
+        case 1: {
+          int const d = random.pick(rule.model().dimensions);
+          changed.word[k] = letter(d, rule.model().is_oriented(d) && random.chance(50));
+          break;
+        }
+        default: changed.word = algebra::conjugate(rule.model(), changed.word);
+      }
+    } else {
+      changed.word = random_word();
+    }
+    return replace(edge->first, edge->second, changed);
+  }
+
+  bool relabel() {
+    auto const edge = random_edge();
+    if (!edge) return false;
+    ir::Arc changed = edge->second;
+    changed.dimension = random.pick(rule.model().dimensions);
+    return replace(edge->first, edge->second, changed);
+  }
+
+  bool retarget() {
+    auto const edge = random_edge();
+    if (!edge) return false;
+    ir::Arc changed = edge->second;
+    changed.target = random.pick(nodes_on(edge->first));
+    return replace(edge->first, edge->second, changed);
+  }
+
+  bool drop() {
+    auto const edge = random_edge();
+    return edge && replace(edge->first, edge->second, {});
+  }
+
+  bool add() {
+    bool const left = random.chance(50);
+    auto const nodes = nodes_on(left);
+    if (nodes.empty()) return false;
+    ir::Arc const arc{random.pick(nodes), random.pick(rule.model().dimensions), random_word(), random.pick(nodes), {}};
+    insert(left, arc);
+    if (random.chance(60) && rule.nodes[arc.source].preserved() && rule.nodes[arc.target].preserved()) insert(!left, arc);
+    return true;
+  }
+
+  /// Drops an arc without its reverse.
+  bool orient() {
+    auto const edge = random_edge();
+    if (!edge || rule.model().is_oriented(edge->second.dimension)) return false;
+    for (bool const left : {true, false}) {
+      if (left != edge->first && random.chance(50)) continue;
+      std::erase_if(side(left).arcs, [&](ir::Arc const& a) { return a.same(edge->second); });
+    }
+    return true;
+  }
+
+  /// s -d- t and s' -d- t' of the right become s -d- s' and t -d- t', or s -d- t' and s' -d- t.
+  bool exchange() {
+    if (rule.right.arcs.empty()) return false;
+    ir::Arc const first = random.pick(rule.right.arcs);
+    std::vector<ir::Arc> others;
+    for (ir::Arc const& arc : rule.right.arcs) {
+      if (arc.dimension == first.dimension && !arc.same(first)) others.push_back(arc);
+    }
+    if (others.empty()) return false;
+    ir::Arc second = random.pick(others);
+    erase(false, first);
+    erase(false, second);
+    if (!rule.model().is_oriented(first.dimension) && random.chance(50)) {
+      insert(false, {first.source, first.dimension, random_word(), second.source, {}});
+      insert(false, {first.target, first.dimension, random_word(), second.target, {}});
+    } else {
+      insert(false, {first.source, first.dimension, random.chance(60) ? first.word : random_word(), second.target, {}});
+      insert(false, {second.source, first.dimension, random.chance(60) ? second.word : random_word(), first.target, {}});
+    }
+    return true;
+  }
+
+  /// s -d- t of the right becomes two loops, or two loops become s -d- t.
+  bool cut_or_join() {
+    std::vector<ir::Arc> loops, links;
+    for (ir::Arc const& arc : rule.right.arcs) (arc.source == arc.target ? loops : links).push_back(arc);
+    if (random.chance(50) && !links.empty()) {
+      ir::Arc const link = random.pick(links);
+      erase(false, link);
+      insert(false, {link.source, link.dimension, {}, link.source, {}});
+      insert(false, {link.target, link.dimension, {}, link.target, {}});
+      return true;
+    }
+    if (loops.empty()) return false;
+    ir::Arc const a = random.pick(loops), b = random.pick(loops);
+    if (a.dimension != b.dimension || a.source == b.source) return false;
+    erase(false, a);
+    erase(false, b);
+    insert(false, {a.source, a.dimension, random.chance(50) ? a.word : Word{}, b.source, {}});
+    if (rule.model().is_oriented(a.dimension)) insert(false, {b.source, a.dimension, random.chance(50) ? b.word : Word{}, a.source, {}});
+    return true;
+  }
+
+  /// Renames the copies of a node, (u, s) to (u·g, s): an added node's do not matter, others' do.
+  bool move_copies() {
+    if (rule.nodes.empty()) return false;
+    auto const id = static_cast<ir::NodeId>(random.below(rule.nodes.size()));
+    Word const g = random_word();
+    for (ir::Arc& arc : rule.right.arcs) {
+      if (arc.source == id) arc.word = group.product(g, arc.word);
+      if (arc.target == id) arc.word = group.product(arc.word, group.inverse(g));
+    }
+    return true;
+  }
+
+  /// A right arc between preserved nodes becomes matched as well, or a matched one is kept on the right.
+  bool preserve() {
+    auto const edge = random_edge();
+    if (!edge || !rule.nodes[edge->second.source].preserved() || !rule.nodes[edge->second.target].preserved()) return false;
+    insert(!edge->first, edge->second);
+    return true;
+  }
+
+  void erase_arcs_at(ir::NodeId id, bool left) {
+    std::erase_if(side(left).arcs, [&](ir::Arc const& arc) { return arc.source == id || arc.target == id; });
+  }
+
+  bool change_status() {
+    if (rule.nodes.empty()) return false;
+    auto const id = static_cast<ir::NodeId>(random.below(rule.nodes.size()));
+    ir::Node& node = rule.nodes[id];
+    if (node.preserved()) {
+      bool const left = !node.hook && random.chance(40);
+      (left ? node.left_span : node.right_span).reset();
+      erase_arcs_at(id, left);
+      return true;
+    }
+    bool const left = node.added();
+    std::vector<ir::Arc> const arcs = side(!left).arcs;
+    (left ? node.left_span : node.right_span) = ir::Span{};
+    for (ir::Arc const& arc : arcs) {
+      if (arc.source != id && arc.target != id) continue;
+      ir::Node const& other = rule.nodes[arc.source == id ? arc.target : arc.source];
+      if (left ? !other.added() : !other.deleted()) insert(left, arc);
+    }
+    return true;
+  }
+
+  bool remove_node() {
+    if (rule.nodes.size() < 2) return false;
+    auto const id = static_cast<ir::NodeId>(random.below(rule.nodes.size()));
+    if (rule.nodes[id].hook) return false;
+    erase_arcs_at(id, true);
+    erase_arcs_at(id, false);
+    rule.nodes.erase(rule.nodes.begin() + static_cast<std::ptrdiff_t>(id));
+    auto const shift = [&](ir::NodeId& other) {
+      if (other > id) --other;
+    };
+    for (ir::Side* s : {&rule.left, &rule.right}) {
+      for (ir::Arc& arc : s->arcs) {
+        shift(arc.source);
+        shift(arc.target);
+      }
+    }
+    for (ir::NodeId& hook : rule.hooks) shift(hook);
+    return true;
+  }
+
+  bool run() {
+    static constexpr std::array changes{
+        &Mutation::change_word, &Mutation::change_word, &Mutation::relabel,   &Mutation::retarget,    &Mutation::drop,     &Mutation::add,
+        &Mutation::add,         &Mutation::orient,      &Mutation::exchange,  &Mutation::exchange,    &Mutation::exchange, &Mutation::cut_or_join,
+        &Mutation::cut_or_join, &Mutation::move_copies, &Mutation::preserve,  &Mutation::change_status, &Mutation::remove_node};
+    return (this->*changes[random.below(changes.size())])();
+  }
+};
+
+}  // namespace
+
+ir::RuleScheme mutate(ir::RuleScheme const& rule, Random& random) {
+  for (int attempt = 0; attempt < 20; ++attempt) {
+    Mutation mutation{rule, random};
+    if (!mutation.run() || ir::verify(mutation.rule)) continue;
+    renumber_spans(mutation.rule);
+    return std::move(mutation.rule);
+  }
+  return rule;
+}
+
+}  // namespace jrule::property

@@ -1,0 +1,12 @@
+// Small changes of a rule that leave most of it right.
+#pragma once
+
+#include "compiler/ir/rule_scheme.h"
+#include "tests/property/random.h"
+
+namespace jrule::property {
+
+/// The rule with one random change; it satisfies ir::verify. The rule itself if no change was found that does.
+ir::RuleScheme mutate(ir::RuleScheme const& rule, Random& random);
+
+}  // namespace jrule::property

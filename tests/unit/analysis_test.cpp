@@ -1,0 +1,137 @@
+// The verdicts where the printed algorithms err, and the plans of accepted rules.
+#include <gtest/gtest.h>
+
+#include "tests/unit/rule_fixture.h"
+
+namespace jrule {
+namespace {
+
+using tests::codes;
+using tests::program_of;
+using Kind = analysis::OrbitComponent::Kind;
+
+std::string verdict_on(std::string const& modeler, std::string const& rule) {
+  return codes(analysis::analyze(program_of("modeler M on " + modeler + ";\n" + rule).rules.at(0)));
+}
+
+// Erratum 1: of a cycle of length 2 the four-step word must be trivial, not the two-step one.
+TEST(Errata, LoopsZeroAndTwoOnOneNodeCloseTheCycle0202) {
+  EXPECT_EQ(verdict_on("gmap(2)", "rule r on M { left { hook a <0,1,2>; } right { a <0,1,2>; b <0,1,2>; } }"), "");
+  EXPECT_EQ(verdict_on("gmap(2)", "rule r on M { left { hook a <0,1,2>; } right { a <0,1,2>; b <1,0,2>; } }"), "J0321");
+}
+
+// Erratum 2: a preserved node without a left i-arc has no i-arc to look for.
+TEST(Errata, APreservedNodeWithoutLeftArcIsNotRefusedForIt) {
+  // The 2-arcs of `a` are not matched; its 0-arc is replaced along a path that leads where the old one led.
+  EXPECT_EQ(verdict_on("gmap(2)", "rule r on M { left { hook a <1>; } right { a <1>; } }"), "");
+  EXPECT_EQ(verdict_on("gmap(2)", "rule r on M { left { hook a <1>; a -0- a; } right { a <1>; b; c; a -0- b; b -1- b; b -2- b; c -0- c; c -1- c; c -2- c; } }"), "J0324 J0323");
+}
+
+// Erratum 3: cycles of the left side are facts about any match, not obligations.
+TEST(Errata, ALeftCycleWithAWordIsNoObligation) {
+  // The left 0202-cycle from `a` has the word [1,1] = ε only for the loops given; deleting both nodes needs nothing on the right.
+  EXPECT_EQ(verdict_on("gmap(2)", "rule r on M { left { hook a <0,1>; a -2- a; } right { } }"), "");
+  EXPECT_EQ(verdict_on("gmap(2)", "rule r on M { left { hook a <1>; b <1>; a -0- b; a -2[1]- a; b -2- b; } right { } }"), "");
+}
+
+// Words that are equal in Γ are equal, however they are spelled.
+TEST(Errata, WordsAreComparedInTheGroup) {
+  EXPECT_EQ(verdict_on("gmap(2)", "rule r on M { left { hook a <0,1,2>; } right { a <0,1,2>; b <0,1,2>; c <0,1,2>; } }"), "");
+  // 0·2 and 2·0 are one word: the reverse of an arc with [0,2] may be spelled [0,2] too.
+  EXPECT_EQ(verdict_on("gmap(2)",
+                       "rule r on M { left { hook a <0,1,2>; } right { a <0,1,2>; b <0,1,_>; c <0,1,_>; b -2[0,2]-> c; c -2[0,2]-> b; } }"),
+            "");
+  EXPECT_EQ(verdict_on("gmap(2)",
+                       "rule r on M { left { hook a <0,1,2>; } right { a <0,1,2>; b <0,1,_>; c <0,1,_>; b -2[0,1]-> c; c -2[0,1]-> b; } }"),
+            "J0313");
+}
+
+TEST(IncidentArcs, AtMostOneArcOfADimension) {
+  EXPECT_EQ(verdict_on("gmap(2)", "rule r on M { left { hook a <0,1,2>; } right { a <0,1,2>; a -1- a; } }"), "J0301");
+}
+
+TEST(NonOrientation, SingleArcsStandOnlyIfPreserved) {
+  EXPECT_EQ(verdict_on("omap(2)", "rule r on M { left { hook a <1>; a -2-> a; } right { a; a -2-> a; } }"), "");
+  EXPECT_EQ(verdict_on("omap(2)", "rule r on M { left { hook a <1,2>; } right { a <1,_>; b <~1,_>; a -2-> b; b -2[1]-> a; } }"), "J0313");
+}
+
+TEST(Cycles, CompletionUsesTheLeftSideOnly) {
+  // a -0- b, a -2- c, b -2- d on the left imply c -0- d.
+  EXPECT_EQ(verdict_on("gmap(2)",
+                       "rule r on M { left { hook a <>; b; c; d; a -0- b; a -2- c; b -2- d; } right { a; b; c; d; a -0- b; a -2- c; b -2- d; } }"),
+            "");
+  // Unsewing the edge whole is sound; unsewing one end of it is not.
+  EXPECT_EQ(verdict_on("gmap(2)",
+                       "rule r on M { left { hook a <>; b; c; d; a -0- b; a -2- c; b -2- d; } right { a; b; c; d; a -0- b; a -2- a; b -2- b; c -2- c; d -2- d; } }"),
+            "");
+  EXPECT_EQ(verdict_on("gmap(2)", "rule r on M { left { hook a <>; c; a -2- c; } right { a; c; a -2- a; c -2- c; } }"), "J0324 J0323 J0323");
+}
+
+TEST(DeadLeft, ContradictionsAreErrors) {
+  EXPECT_EQ(verdict_on("gmap(2)", "rule r on M { left { hook a <>; b; c; a -0-> b; b -0-> c; c -0-> a; } right { a; b; c; a -0-> b; b -0-> c; c -0-> a; } }"), "J0331");
+  EXPECT_EQ(verdict_on("gmap(2)",
+                       "rule r on M { left { hook a <>; b; c; d; e; a -0- b; a -2- c; b -2- d; c -0- e; } right { a; b; c; d; e; a -0- b; a -2- c; b -2- d; c -0- e; } }"),
+            "J0332");
+}
+
+TEST(Closed, LoopsAreRefusedUnlessTheWordMovesEveryDart) {
+  EXPECT_EQ(verdict_on("closed_gmap(2)", "rule r on M { left { hook a <0,1,2>; } right { a <0,1,2>; b <0,1,_>; b -2- b; } }"), "J0333");
+  EXPECT_EQ(verdict_on("closed_gmap(2)", "rule r on M { left { hook a <0,1,2>; } right { a <0,1,2>; b <0,1,2>; } }"), "");
+  EXPECT_EQ(verdict_on("closed_gmap(2)", "rule r on M { left { hook a <0,1,2>; } right { a <0,1,2>; b <0,_,2>; b -1[0,2]- b; } }"), "J0341");
+}
+
+// ---- Plans ----
+
+analysis::Verdict analyse(std::string const& text) { return analysis::analyze(program_of(text).rules.at(0)); }
+
+TEST(Plan, QuadSubdivision) {
+  auto const verdict = analyse(
+      "modeler S on gmap(2) { embedding position : <1,2> -> Point3; embedding color : <0,1> -> Color; }\n"
+      "rule q on S { left { hook a <0,1,2>; } right { a <_,1,2>; b <_,_,2> { position = mean(<0>(a).position); } c <2,_,_>; "
+      "d <2,1,_> { position = mean(<0,1>(a).position); } a -0- b -1- c -0- d; } }");
+  ASSERT_EQ(codes(verdict), "");
+  auto const& plan = verdict.plan;
+  EXPECT_TRUE(plan.checks.empty());
+  EXPECT_FALSE(plan.test_injectivity);
+  EXPECT_EQ(plan.added, (std::vector<ir::NodeId>{1, 2, 3}));
+  ASSERT_EQ(plan.orbits.size(), 3U);
+  // A new vertex for each edge of the pattern, one for each face; the quads keep the colour of their face.
+  EXPECT_EQ(plan.orbits[0].kind, Kind::fresh);
+  EXPECT_EQ(plan.orbits[0].members.size(), 2U);
+  EXPECT_EQ(plan.orbits[0].generators, (std::vector<Word>{{{2, false}}, {{0, false}}}));
+  EXPECT_EQ(plan.orbits[1].kind, Kind::fresh);
+  EXPECT_EQ(plan.orbits[1].members.size(), 1U);
+  EXPECT_EQ(plan.orbits[2].embedding, 1U);
+  EXPECT_EQ(plan.orbits[2].kind, Kind::inherit);
+  EXPECT_EQ(plan.orbits[2].sources.size(), 3U);
+}
+
+TEST(Plan, LeftArcsThatHoldEverywhereAreNotTested) {
+  auto const verdict = analyse(
+      "modeler S on gmap(2);\n"
+      "rule r on S { left { hook a <0>; b <0>; a -2- b; } right { a <0>; b <0>; a -2- b; } }");
+  ASSERT_EQ(codes(verdict), "");
+  EXPECT_EQ(verdict.plan.steps.size(), 1U);
+  EXPECT_TRUE(verdict.plan.checks.empty());  // b's 0-loop holds since 0 and 2 commute
+  EXPECT_TRUE(verdict.plan.test_injectivity);
+}
+
+TEST(Plan, FoldingAnEdgeMergesItsVertices) {
+  std::string const rule = "rule fold on S { left { hook a <0>; a -2- a; } right { a; a -2[0]- a; } }";
+  EXPECT_EQ(codes(analyse("modeler S on gmap(2) { embedding position : <1,2> -> Point3; }\n" + rule)), "J0402");
+  auto const verdict = analyse("modeler S on gmap(2) { embedding position : <1,2> -> Point3 { merge mean; } }\n" + rule);
+  ASSERT_EQ(codes(verdict), "");
+  ASSERT_EQ(verdict.plan.orbits.size(), 1U);
+  EXPECT_EQ(verdict.plan.orbits[0].kind, Kind::merge);
+}
+
+TEST(Plan, SplitOrbitsNeedNothing) {
+  auto const verdict = analyse(
+      "modeler S on gmap(2) { embedding position : <1,2> -> Point3; }\n"
+      "rule unsew on S { left { hook a <0>; b <0>; a -2- b; } right { a; b; a -2- a; b -2- b; } }");
+  ASSERT_EQ(codes(verdict), "");
+  EXPECT_TRUE(verdict.plan.orbits.empty());
+}
+
+}  // namespace
+}  // namespace jrule
