@@ -194,7 +194,7 @@ Result<std::size_t> apply_everywhere(Map const& map, OrbitType const& type, std:
   return count;
 }
 
-Result<Map> expect_modeler(Map map, Model const& model, std::vector<EmbeddingSpec> const& embeddings) {
+Result<void> check_modeler(Map const& map, Model const& model, std::vector<EmbeddingSpec> const& embeddings) {
   if (map.model() != model) {
     return fail(Error::Kind::bad_input, fmt::format("the map is of the model {}({}), not {}({})", map.model().name, map.model().dimension, model.name, model.dimension));
   }
@@ -206,6 +206,11 @@ Result<Map> expect_modeler(Map map, Model const& model, std::vector<EmbeddingSpe
   if (map.embedding_count() != embeddings.size()) {
     return fail(Error::Kind::bad_input, fmt::format("the map has {} embeddings, its modeler declares {}", map.embedding_count(), embeddings.size()));
   }
+  return {};
+}
+
+Result<Map> expect_modeler(Map map, Model const& model, std::vector<EmbeddingSpec> const& embeddings) {
+  if (auto const checked = check_modeler(map, model, embeddings); !checked) return tl::unexpected(checked.error());
   return map;
 }
 

@@ -1,26 +1,38 @@
-// Random rules, how many and from which seed.
+// Random rules, and how many of them.
 #pragma once
 
 #include <cstdint>
+#include <iosfwd>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include <rapidcheck.h>
+
 #include "compiler/ir/rule_scheme.h"
+#include "tests/property/sites.h"
 
 namespace jrule::property {
 
-/// A rule is told by numbers: that of a sound operation, and one for each mutation. RapidCheck shrinks the list.
-struct RuleCase {
+/// A case is told by numbers: that of a sound operation, one for each mutation of it, one for the maps that it is applied to.
+struct Case {
   std::uint64_t operation = 0;
   std::vector<std::uint64_t> mutations;
+  std::uint64_t maps = 0;
 };
-/// Each modeler that `modelers` offers is drawn from; the rule satisfies ir::verify.
-ir::RuleScheme make_rule(RuleCase const& rule_case, std::vector<std::shared_ptr<ir::Modeler const>> const& modelers);
+std::ostream& operator<<(std::ostream& out, Case const& c);
 
-/// The number of cases of a property: JRULE_CASES, or else `by_default`.
-int case_count(int by_default);
-/// Runs `by_default` (or JRULE_CASES) cases from the seed JRULE_SEED (else 1), the same ones each time. False, with the case
-/// told on standard output, if one fails. `examine` gets a rule's case and a number for the maps.
-bool check_cases(std::string const& description, int by_default, void (*examine)(RuleCase const&, std::uint64_t maps));
+/// RapidCheck shrinks a case by leaving out mutations. It draws the same cases each time: as many as JRULE_CASES says (else
+/// 3000), from the seed JRULE_SEED (else 1); RC_PARAMS overrides both.
+rc::Gen<Case> cases();
+int case_count();
+
+/// The rule of a case, on a random one of the models; it satisfies ir::verify.
+ir::RuleScheme make_rule(Case const& c, std::shared_ptr<ir::Modeler const> (*modeler_of)(Model const&));
+/// Maps and hooks: some where the rule matches, and some where it may not. Smaller ones first.
+std::vector<Site> make_sites(Case const& c, ir::RuleScheme const& rule);
+
+/// What a failing property says of its case: the rule, the map and the hooks.
+std::string describe(ir::RuleScheme const& rule, Site const& site);
 
 }  // namespace jrule::property

@@ -244,9 +244,8 @@ struct Application {
 
 Result<Applied> apply(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map, std::vector<Dart> const& hooks,
                       std::vector<Value> const& arguments, rewrite::Workspace& workspace) {
-  if (!is_of_modeler(map, *rule.modeler)) {
-    return fail(Error::Kind::bad_input, fmt::format("the map is not of the modeler `{}` that `{}` is on", rule.modeler->name, rule.name));
-  }
+  // The plan relies on the model's constraints and on the embeddings' policies.
+  if (auto const checked = rewrite::check_modeler(map, rule.model(), rule.modeler->embeddings); !checked) return tl::unexpected(checked.error());
   if (hooks.size() != rule.hooks.size() || arguments.size() != rule.parameters.size()) {
     return fail(Error::Kind::bad_input, fmt::format("`{}` takes {} darts and {} values", rule.name, rule.hooks.size(), rule.parameters.size()));
   }

@@ -98,7 +98,9 @@ void set_value(Map& map, std::size_t embedding, Dart d, Value const& value, Work
 /// nowhere, or any other error at once.
 Result<std::size_t> apply_everywhere(Map const& map, OrbitType const& type, std::function<Result<void>(Dart)> const& apply);
 
-/// The map itself if it is of this model and has these embeddings; else an error that says what differs.
+/// Nothing if the map is of this model and has these embeddings; else an error that says what differs.
+Result<void> check_modeler(Map const& map, Model const& model, std::vector<EmbeddingSpec> const& embeddings);
+/// The map itself after that check.
 Result<Map> expect_modeler(Map map, Model const& model, std::vector<EmbeddingSpec> const& embeddings);
 
 /// The errors of a rule that does not match.
