@@ -5,6 +5,7 @@
 #include "compiler/analysis/closedness.h"
 #include "compiler/analysis/completion.h"
 #include "compiler/analysis/cycles.h"
+#include "compiler/analysis/dead_left.h"
 #include "compiler/analysis/embeddings.h"
 #include "compiler/analysis/incident_arcs.h"
 #include "compiler/analysis/non_orientation.h"
@@ -21,11 +22,15 @@ Verdict analyze(ir::RuleScheme const& rule) {
   Verdict verdict;
   append(verdict.refusals, check_incident_arcs(rule));
   if (!verdict.accepted()) return verdict;
-  append(verdict.refusals, check_non_orientation(rule));
+  algebra::Group const group(rule.model());
+  Placement const placement(rule, group);
+  PatternWords const words(rule, group, placement);
+  append(verdict.refusals, check_non_orientation(rule, group, words));
   append(verdict.refusals, check_closedness(rule));
-  Completed const completed = complete(rule);
+  Completed const completed = complete(rule, group, placement, words);
   append(verdict.refusals, completed.dead);
-  if (completed.dead.empty()) append(verdict.refusals, check_cycles(completed.rule));
+  if (completed.dead.empty()) append(verdict.refusals, check_dead_left(rule, group, placement, words));
+  if (completed.dead.empty()) append(verdict.refusals, check_cycles(completed.rule, group, words));
   if (!verdict.accepted()) return verdict;
   EmbeddingAnalysis embeddings = analyze_embeddings(completed.rule);
   append(verdict.refusals, std::move(embeddings.refusals));

@@ -14,12 +14,6 @@ Refusals check_closedness(ir::RuleScheme const& rule) {
   if (!rule.model().closed) return refusals;
   algebra::Group const group(rule.model());
   std::string const note = fmt::format("in a {} no arc leads from a dart to itself", map_name(rule.model()));
-  for (ir::Arc const& arc : rule.left.arcs) {
-    if (arc.source != arc.target || !arc.word.empty()) continue;
-    refusals.push_back({{.code = Code::dead_arc, .span = arc.span,
-                         .message = fmt::format("no map matches the left side: it asks for {}", describe(rule, arc)), .notes = {note}},
-                        arc.source, arc.dimension, -1});
-  }
   for (ir::Arc const& arc : rule.right.arcs) {
     if (arc.source != arc.target || ir::find_same(rule.left, arc)) continue;
     if (arc.word.empty()) {

@@ -7,7 +7,7 @@ namespace jrule::analysis {
 
 /// In a closed model an added arc between different nodes is never a loop. From a node to itself it is one exactly where its
 /// word fixes a pattern dart: accepted only if the word is conjugate in Γ to a single letter, which fixes nothing in a closed
-/// map. Left sides that ask for a loop match nothing (J0331). No refusals for other models.
+/// map. No refusals for other models.
 Refusals check_closedness(ir::RuleScheme const& rule);
 
 }  // namespace jrule::analysis

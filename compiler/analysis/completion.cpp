@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "compiler/algebra/group.h"
 #include "compiler/analysis/wording.h"
 
 namespace jrule::analysis {
@@ -12,10 +11,10 @@ using source::Code;
 namespace {
 
 struct Completion {
-  algebra::Group group;
+  algebra::Group const& group;
+  Placement const& placement;
+  PatternWords const& words;
   Completed result;
-
-  explicit Completion(ir::RuleScheme const& rule) : group(rule.model()), result{rule, {}} {}
 
   std::string name(ir::NodeId id) const { return result.rule.nodes[id].name; }
 
@@ -37,7 +36,7 @@ struct Completion {
         result.dead.push_back({{.code = Code::dead_arc, .span = clash->span,
                                 .message = fmt::format("no map matches the left side: {} cannot stand beside {}", describe(result.rule, *clash), describe(result.rule, arc)),
                                 .labels = {{arc.span, fmt::format("its reverse would lead from `{}` to `{}`", name(arc.target), name(arc.source))}},
-                                .notes = {fmt::format("in a {} the reverse of a {}-arc is the {}-arc of its target (non-orientation; paper, Def. 8)",
+                                .notes = {fmt::format("in a {} the reverse of a {}-arc is the {}-arc of its target (non-orientation; paper, Def. 9)",
                                                       map_name(result.rule.model()), d, d)}},
                                arc.source, d, -1});
         return false;
@@ -77,6 +76,27 @@ struct Completion {
     return false;
   }
 
+  // m(u, s)·d = u·x_s·d = u·w·x_t = m(u·w, t) in every map, although the left side does not say so.
+  bool complete_within() {
+    ir::RuleScheme& rule = result.rule;
+    ir::Table const table(rule.nodes.size(), rule.left);
+    auto const in_first = [&](ir::NodeId id) { return rule.nodes[id].preserved() && placement.hook(id) == 0 && placement.offset(id); };
+    for (ir::NodeId s = 0; s < rule.nodes.size(); ++s) {
+      for (int const d : rule.model().dimensions) {
+        if (!in_first(s) || table.out(s, d)) continue;
+        Word const there = group.product(*placement.offset(s), {Letter{static_cast<std::uint8_t>(d), false}});
+        for (ir::NodeId t = 0; t < rule.nodes.size(); ++t) {
+          if (!in_first(t) || table.in(t, d)) continue;
+          Word const word = group.product(there, group.inverse(*placement.offset(t)));
+          if (!words.stays_in_pattern(word)) continue;
+          add_to_both({s, d, word, t, rule.nodes[s].span()});
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
   void rule_out(ir::NodeId start, int i, int j, ir::Arc const& first, ir::Arc const& second, ir::Arc const& third, ir::Arc const& clash) {
     result.dead.push_back(
         {{.code = Code::dead_cycle, .span = clash.span,
@@ -92,12 +112,13 @@ struct Completion {
 
 }  // namespace
 
-Completed complete(ir::RuleScheme const& rule) {
-  Completion completion(rule);
+Completed complete(ir::RuleScheme const& rule, algebra::Group const& group, Placement const& placement, PatternWords const& words) {
+  Completion completion{group, placement, words, {rule, {}}};
   // Each step adds an arc to a node that had none, so this ends.
   bool changed = true;
   while (changed && completion.result.dead.empty()) {
     changed = completion.complete_reverse();
+    if (!changed && completion.result.dead.empty()) changed = completion.complete_within();
     for (auto const& [i, j] : rule.model().exchange) {
       if (!changed && completion.result.dead.empty()) changed = completion.complete_cycle(i, j) || (completion.result.dead.empty() && completion.complete_cycle(j, i));
     }

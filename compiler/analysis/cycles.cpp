@@ -6,7 +6,6 @@
 #include <array>
 #include <set>
 
-#include "compiler/algebra/group.h"
 #include "compiler/analysis/wording.h"
 
 namespace jrule::analysis {
@@ -55,7 +54,8 @@ bool closes(Path const& path) { return path.size() == 4 && path.back()->target =
 
 struct CycleCheck {
   ir::RuleScheme const& rule;
-  algebra::Group group{rule.model()};
+  algebra::Group const& group;
+  PatternWords const& words;
   SideView left{rule.nodes.size(), rule.left, rule.right};
   SideView right{rule.nodes.size(), rule.right, rule.left};
   Refusals refusals{};
@@ -160,10 +160,10 @@ struct CycleCheck {
       Path const cycle = view.walk(arc.source, d, e);
       if (cycle.size() == 4) {
         // On the left a closed walk is a fact, and completion has refused the others.
-        if (added && (!closes(cycle) || !word_of(cycle).empty())) {
+        if (added && (!closes(cycle) || !words.trivial(word_of(cycle)))) {
           // Named by the smaller dimension first where that reads the same.
           Path const usual = view.walk(arc.source, i, j);
-          bool const same = usual.size() == 4 && (!closes(usual) || !word_of(usual).empty());
+          bool const same = usual.size() == 4 && (!closes(usual) || !words.trivial(word_of(usual)));
           same ? refuse_cycle(usual, i, j) : refuse_cycle(cycle, d, e);
         }
         continue;
@@ -173,7 +173,7 @@ struct CycleCheck {
       // A non-oriented path is the same read backwards: report it from its first node only.
       bool const mirror = path.front()->source > path.back()->target && !rule.model().is_oriented(i) && !rule.model().is_oriented(j);
       Path const partner = partner_of(path, other, i, j);
-      bool const replaced = !partner.empty() && word_of(partner) == word_of(path);
+      bool const replaced = !partner.empty() && words.equal(word_of(partner), word_of(path));
       if (!replaced && !mirror) refuse_path(path, partner, added, i, j);
     }
   }
@@ -181,8 +181,8 @@ struct CycleCheck {
 
 }  // namespace
 
-Refusals check_cycles(ir::RuleScheme const& completed) {
-  CycleCheck check{completed};
+Refusals check_cycles(ir::RuleScheme const& completed, algebra::Group const& group, PatternWords const& words) {
+  CycleCheck check{completed, group, words};
   for (auto const& [i, j] : completed.model().exchange) {
     check.check_paths(check.left, check.right, false, i, j);
     check.check_paths(check.right, check.left, true, i, j);

@@ -71,7 +71,8 @@ struct OrbitAnalysis {
     links.push_back({start, word, at, span});
   }
 
-  std::string orbit_name() const { return fmt::format("`{}`-orbit {}", spec().name, jrule::to_string(spec().orbit)); }
+  std::string orbit() const { return orbit_name(rule.model(), spec().orbit); }
+  std::string orbits() const { return orbit_names(rule.model(), spec().orbit); }
 
   std::string node_list(OrbitComponent const& component) const {
     std::vector<ir::NodeId> ids;
@@ -152,7 +153,6 @@ struct OrbitAnalysis {
   // Are the darts that exist before of one π-orbit before too? If not, where it shows.
   std::optional<Merge> find_merge(OrbitComponent const& component, std::vector<Anchor const*> const& found) const {
     Place const base = place(component, *found.front());
-    std::string const orbit = jrule::to_string(spec().orbit);
     for (Anchor const* const anchor : found) {
       if (anchor == found.front()) continue;
       Place const other = place(component, *anchor);
@@ -161,9 +161,9 @@ struct OrbitAnalysis {
       if (!together) {
         return Merge{base.anchor->preserved, anchor->preserved,
                      base.anchor->preserved == anchor->preserved
-                         ? fmt::format("darts of `{}` that may be of different {}-orbits before are of one afterwards", rule.nodes[anchor->preserved].name, orbit)
-                         : fmt::format("`{}` and `{}` may be of different {}-orbits before and are of one afterwards",
-                                       rule.nodes[base.anchor->preserved].name, rule.nodes[anchor->preserved].name, orbit)};
+                         ? fmt::format("darts of `{}` that may be of different {} before are of one afterwards", rule.nodes[anchor->preserved].name, orbits())
+                         : fmt::format("`{}` and `{}` may be of different {} before and are of one afterwards",
+                                       rule.nodes[base.anchor->preserved].name, rule.nodes[anchor->preserved].name, orbits())};
       }
     }
     for (Word const& generator : component.generators) {
@@ -173,8 +173,8 @@ struct OrbitAnalysis {
           group.in_orbit(group.product(group.product(group.inverse(*base.element), *translated), *base.element), spec().orbit);
       if (!together) {
         return Merge{base.anchor->preserved, base.anchor->preserved,
-                     fmt::format("a dart of `{}` and the one that {} leads to in the pattern may be of different {}-orbits before and are of one afterwards",
-                                 rule.nodes[base.anchor->preserved].name, describe(generator), orbit)};
+                     fmt::format("a dart of `{}` and the one that {} leads to in the pattern may be of different {} before and are of one afterwards",
+                                 rule.nodes[base.anchor->preserved].name, describe(generator), orbits())};
       }
     }
     return {};
@@ -188,10 +188,10 @@ struct OrbitAnalysis {
 
   void refuse_missing(OrbitComponent const& component) {
     std::vector<source::Label> labels;
-    for (auto const& member : component.members) labels.push_back({right_span(member.node), "part of this new orbit"});
+    for (auto const& member : component.members) labels.push_back({right_span(member.node), "part of this new " + orbit()});
     std::sort(labels.begin(), labels.end(), [](auto const& a, auto const& b) { return a.span < b.span; });
     refuse(Code::missing_value, labels.front().span, component.members.front().node,
-           fmt::format("the new {} of {} gets no value", orbit_name(), node_list(component)), labels,
+           fmt::format("the new {} of {} gets no `{}`", orbit(), node_list(component), spec().name), labels,
            {fmt::format("give it on one of these nodes: `{} {{ {} = …; }}`, or declare a `default` for `{}`", rule.nodes[component.members.front().node].name,
                         spec().name, spec().name)});
   }
@@ -200,8 +200,8 @@ struct OrbitAnalysis {
     if (clauses.size() > 1) {
       ir::Clause const& first = rule.clauses[clauses[0]];
       ir::Clause const& second = rule.clauses[clauses[1]];
-      refuse(Code::two_clauses, second.span, second.node, fmt::format("`{}` and `{}` are of one {}, which gets two values", rule.nodes[first.node].name, rule.nodes[second.node].name, orbit_name()),
-             {{first.span, "the first value"}}, {"an orbit has one value; give it on one of its nodes"});
+      refuse(Code::two_clauses, second.span, second.node, fmt::format("`{}` and `{}` are of one {}, which gets two values of `{}`", rule.nodes[first.node].name, rule.nodes[second.node].name, orbit(), spec().name),
+             {{first.span, "the first value"}}, {"an orbit has one value of each embedding; give it on one of its nodes"});
       return;
     }
     if (!clauses.empty()) component.clause = clauses.front();
@@ -221,7 +221,7 @@ struct OrbitAnalysis {
       component.kind = OrbitComponent::Kind::merge;
       if (spec().merge == MergePolicy::none) {
         refuse(Code::missing_merge, right_span(merge->second), merge->second,
-               fmt::format("the rule merges {}s of {} without saying which value stays", orbit_name(), node_list(component)),
+               fmt::format("the rule merges {} of {} without saying which `{}` they get", orbits(), node_list(component), spec().name),
                {{right_span(merge->first), merge->text}},
                {fmt::format("give the value on one of these nodes: `{} {{ {} = …; }}`, or declare a `merge` policy for `{}`", rule.nodes[merge->first].name,
                             spec().name, spec().name)});

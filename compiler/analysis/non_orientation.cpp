@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "compiler/algebra/group.h"
 #include "compiler/analysis/wording.h"
 
 namespace jrule::analysis {
@@ -11,7 +10,7 @@ using source::Code;
 
 namespace {
 
-void check_side(ir::RuleScheme const& rule, algebra::Group const& group, bool added, Refusals& refusals) {
+void check_side(ir::RuleScheme const& rule, algebra::Group const& group, PatternWords const& words, bool added, Refusals& refusals) {
   ir::Side const& side = added ? rule.right : rule.left;
   ir::Side const& other = added ? rule.left : rule.right;
   ir::Table const table(rule.nodes.size(), side);
@@ -33,7 +32,7 @@ void check_side(ir::RuleScheme const& rule, algebra::Group const& group, bool ad
       continue;
     }
     Word const expected = group.inverse(arc.word);
-    if (back->word == expected) continue;
+    if (words.equal(back->word, expected)) continue;
     if (&arc == back) {
       refusals.push_back({{.code = Code::words_not_conjugate, .span = arc.span,
                            .message = fmt::format("the rule {} {}, which is not its own reverse: that carries {}", verb, describe(rule, arc), describe(expected)),
@@ -53,11 +52,10 @@ void check_side(ir::RuleScheme const& rule, algebra::Group const& group, bool ad
 
 }  // namespace
 
-Refusals check_non_orientation(ir::RuleScheme const& rule) {
-  algebra::Group const group(rule.model());
+Refusals check_non_orientation(ir::RuleScheme const& rule, algebra::Group const& group, PatternWords const& words) {
   Refusals refusals;
-  check_side(rule, group, false, refusals);
-  check_side(rule, group, true, refusals);
+  check_side(rule, group, words, false, refusals);
+  check_side(rule, group, words, true, refusals);
   return refusals;
 }
 

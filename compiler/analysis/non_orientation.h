@@ -2,11 +2,12 @@
 #pragma once
 
 #include "compiler/analysis/refusal.h"
+#include "compiler/analysis/relations.h"
 
 namespace jrule::analysis {
 
-/// Each added (deleted) arc of a non-oriented dimension has a reverse that is added (deleted) too, its word equal in Γ to the
-/// conjugate. A single arc may stand only if it is preserved. The rule must satisfy the incident-arcs condition.
-Refusals check_non_orientation(ir::RuleScheme const& rule);
+/// Each added (deleted) arc of a non-oriented dimension has a reverse that is added (deleted) too, its word equal on the
+/// pattern to the conjugate. A single arc may stand only if it is preserved. The rule must satisfy the incident-arcs condition.
+Refusals check_non_orientation(ir::RuleScheme const& rule, algebra::Group const& group, PatternWords const& words);
 
 }  // namespace jrule::analysis

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <optional>
+
 namespace jrule::analysis {
 
 namespace {
@@ -14,9 +18,35 @@ std::string spelling(Word const& word) {
   }
   return text + ']';
 }
+
+struct CellName {
+  std::string_view one, several;
+};
+std::optional<CellName> cell_name(Model const& model, OrbitType const& orbit) {
+  constexpr std::array names{CellName{"vertex", "vertices"}, CellName{"edge", "edges"}, CellName{"face", "faces"}, CellName{"volume", "volumes"}};
+  auto const sorted = [](OrbitType type) {
+    std::sort(type.words.begin(), type.words.end());
+    return type.words;
+  };
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    auto const cell = cell_orbit(model, static_cast<int>(i));
+    if (cell && sorted(*cell) == sorted(orbit)) return names[i];
+  }
+  return {};
+}
 }  // namespace
 
 std::string describe(Word const& word) { return word.empty() ? "the empty word" : "the word " + spelling(word); }
+
+std::string orbit_name(Model const& model, OrbitType const& orbit) {
+  auto const cell = cell_name(model, orbit);
+  return cell ? std::string(cell->one) : "orbit " + jrule::to_string(orbit);
+}
+
+std::string orbit_names(Model const& model, OrbitType const& orbit) {
+  auto const cell = cell_name(model, orbit);
+  return cell ? std::string(cell->several) : "orbits " + jrule::to_string(orbit);
+}
 
 std::string both_directions(ir::RuleScheme const& rule, ir::Arc const& arc) {
   return fmt::format("`{} -{}{}- {}`", rule.nodes[arc.source].name, arc.dimension, arc.word.empty() ? "" : spelling(arc.word), rule.nodes[arc.target].name);

@@ -13,6 +13,9 @@ using ir::map_name;
 std::string describe(ir::RuleScheme const& rule, ir::Arc const& arc);
 /// "`a -2[1,~2]- c`": how both directions of the arc are written.
 std::string both_directions(ir::RuleScheme const& rule, ir::Arc const& arc);
+/// "vertex", "vertices"; "orbit <0>", "orbits <0>" where the model has no such cells.
+std::string orbit_name(Model const& model, OrbitType const& orbit);
+std::string orbit_names(Model const& model, OrbitType const& orbit);
 /// "the empty word", "the word [0,1]".
 std::string describe(Word const& word);
 /// "in a 2-G-map every dart has exactly one 2-arc (paper, Def. 22)"

@@ -15,7 +15,9 @@ int check(CheckOptions const& options) {
     result = std::max(result, status(compilation->diagnostics));
     if (options.common.format == MessageFormat::human && compilation->read()) {
       auto const accepted = std::count_if(compilation->verdicts.begin(), compilation->verdicts.end(), [](auto const& v) { return v.accepted(); });
-      std::size_t const errors = compilation->diagnostics.error_count();
+      auto const shown = compilation->diagnostics.sorted();  // without repetitions
+      auto const errors =
+          std::count_if(shown.begin(), shown.end(), [](auto const& d) { return source::info(d.code).severity == source::Severity::error; });
       fmt::print("{}: {} rule{} accepted", file, accepted, accepted == 1 ? "" : "s");
       if (errors != 0) fmt::print(", {} error{}", errors, errors == 1 ? "" : "s");
       fmt::print("\n");

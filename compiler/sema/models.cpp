@@ -153,7 +153,7 @@ std::optional<Model> elaborate_model(ast::Model const& declared, std::optional<i
   model.closed = declared.closed.has_value();
   for (int d : *oriented) {
     if (!model.has(d)) {
-      diagnostics.add({.code = Code::dimension_not_in_model, .span = declared.name.span,
+      diagnostics.add({.code = Code::dimension_not_in_model, .span = join(declared.oriented.front().span, declared.oriented.back().span),
                        .message = fmt::format("the model `{}` orients {}, which is none of its dimensions", model.name, d)});
       return {};
     }

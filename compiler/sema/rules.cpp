@@ -28,6 +28,7 @@ struct RuleElaboration {
   ir::RuleScheme rule;
   std::map<std::string, ir::NodeId> left_nodes, right_nodes;
   std::map<ir::NodeId, ast::Node const*> left_declarations;
+  std::map<std::string, Span> values_declared;  // parameters and `let`s
   bool hook_type_known = false;  // else its error is reported, and nothing is said about positions
   std::set<std::pair<std::string, bool>> unknown_nodes;  // that arcs name, on the left?
 
@@ -45,8 +46,9 @@ struct RuleElaboration {
 
   void add_parameters() {
     for (ast::Parameter const& p : declared.parameters) {
-      for (ir::Parameter const& other : rule.parameters) {
-        if (other.name == p.name.text) report(Code::duplicate_name, p.name.span, fmt::format("the parameter `{}` is declared twice", p.name.text));
+      auto const [first, fresh] = values_declared.emplace(p.name.text, p.name.span);
+      if (!fresh) {
+        report(Code::duplicate_name, p.name.span, fmt::format("the parameter `{}` is declared twice", p.name.text), {{first->second, "first declared here"}});
       }
       std::optional<Type> const type = resolve_type(p.type, diagnostics);
       ir::Parameter parameter{p.name.text, type.value_or(Type::Real), {}};
@@ -344,13 +346,11 @@ struct RuleElaboration {
   }
 
   void check_fresh_value_name(ast::Name const& name) {
-    for (ir::Parameter const& p : rule.parameters) {
-      if (p.name == name.text) report(Code::duplicate_name, name.span, fmt::format("`{}` is already a parameter", name.text));
-    }
-    for (ir::Let const& l : rule.lets) {
-      if (l.name == name.text) report(Code::duplicate_name, name.span, fmt::format("`{}` is defined twice", name.text));
-    }
-    if (left_nodes.contains(name.text)) report(Code::duplicate_name, name.span, fmt::format("`{}` is already a node", name.text));
+    auto const [first, fresh] = values_declared.emplace(name.text, name.span);
+    auto const node = left_nodes.find(name.text);
+    if (fresh && node == left_nodes.end()) return;
+    report(Code::duplicate_name, name.span, fmt::format("`{}` is declared twice", name.text),
+           {{fresh ? *rule.nodes[node->second].left_span : first->second, "first declared here"}});
   }
 
   void add_clauses() {

@@ -24,10 +24,22 @@ struct Mutation {
       std::erase_if(side(left).arcs, [&](ir::Arc const& other) { return other.same(a); });
     }
   }
-  void insert(bool left, ir::Arc const& arc) {
+  void insert(bool left, ir::Arc arc) {
+    if (arc.source == arc.target && !rule.model().is_oriented(arc.dimension) && arc.word != group.inverse(arc.word) && random.chance(85)) {
+      arc.word = involution(arc.word);
+    }
     for (ir::Arc const& a : with_reverse(group, arc.source, arc.dimension, arc.word, arc.target)) {
       if (!has(left, a)) side(left).arcs.push_back(a);
     }
+  }
+
+  /// The arc of a non-oriented loop is its own reverse: g·d·ḡ instead of the word g.
+  Word involution(Word const& g) {
+    std::vector<Word> letters{{}};
+    for (Letter const l : rule.hook_type) {
+      if (!rule.model().is_oriented(l.dimension)) letters.push_back({l});
+    }
+    return group.product(group.product(g, random.pick(letters)), group.inverse(g));
   }
 
   /// Replaces an edge of one side, or of both if both have it, mostly.
@@ -36,8 +48,12 @@ struct Mutation {
     erase(left, old);
     if (on_both) erase(!left, old);
     if (!changed) return true;
-    insert(left, *changed);
-    if (on_both) insert(!left, *changed);
+    bool const careful = random.chance(80);
+    for (bool const on_left : {left, !left}) {
+      if (on_left != left && !on_both) continue;
+      if (careful) make_room(on_left, *changed);
+      insert(on_left, *changed);
+    }
     return true;
   }
 
@@ -64,6 +80,60 @@ struct Mutation {
       word.push_back(letter(d, rule.model().is_oriented(d) && random.chance(50)));
     }
     return group.normal_form(word);
+  }
+
+  /// Erases the arcs that cannot stand beside this one.
+  void make_room(bool left, ir::Arc const& arc) {
+    std::vector<ir::Arc> const arcs = side(left).arcs;
+    for (ir::Arc const& a : with_reverse(group, arc.source, arc.dimension, arc.word, arc.target)) {
+      for (ir::Arc const& other : arcs) {
+        if (other.dimension == a.dimension && (other.source == a.source || other.target == a.target)) erase(left, other);
+      }
+    }
+  }
+
+  /// Does the right side have to give the node such an arc?
+  bool needs(ir::NodeId id, int d, bool outgoing) {
+    if (rule.nodes[id].added()) return true;
+    if (rule.nodes[id].deleted()) return false;
+    return std::any_of(rule.left.arcs.begin(), rule.left.arcs.end(), [&](ir::Arc const& arc) { return arc.dimension == d && (outgoing ? arc.source : arc.target) == id; });
+  }
+
+  /// Most rules that break the incident-arcs condition say nothing about the others: gives the right side the arcs that it
+  /// lacks, between random nodes, and takes those that are too many.
+  void repair_incident_arcs() {
+    for (int const d : rule.model().dimensions) {
+      std::vector<ir::Arc> const arcs = rule.right.arcs;
+      for (ir::Arc const& arc : arcs) {
+        if (arc.dimension == d && !(needs(arc.source, d, true) && needs(arc.target, d, false))) erase(false, arc);
+      }
+      std::vector<ir::NodeId> sources, targets;
+      ir::Table const right(rule.nodes.size(), rule.right);
+      for (ir::NodeId id = 0; id < rule.nodes.size(); ++id) {
+        if (needs(id, d, true) && !right.out(id, d)) sources.push_back(id);
+        if (needs(id, d, false) && !right.in(id, d)) targets.push_back(id);
+      }
+      random.shuffle(sources);
+      random.shuffle(targets);
+      auto const some_word = [&] {
+        bool const of_type = std::find(rule.hook_type.begin(), rule.hook_type.end(), letter(d)) != rule.hook_type.end();
+        return random.chance(40) ? Word{} : of_type && random.chance(40) ? word(d) : random_word();
+      };
+      bool const oriented = rule.model().is_oriented(d);
+      while (!sources.empty() && (!oriented || !targets.empty())) {
+        ir::NodeId const s = sources.back();
+        sources.pop_back();
+        ir::NodeId t = s;
+        if (oriented) {
+          t = targets.back();
+          targets.pop_back();
+        } else if (!sources.empty() && random.chance(60)) {
+          t = sources.back();
+          sources.pop_back();
+        }
+        insert(false, {s, d, some_word(), t, {}});
+      }
+    }
   }
 
   // ---- Changes; each returns false if there is nothing to change. ----
@@ -115,8 +185,12 @@ struct Mutation {
     auto const nodes = nodes_on(left);
     if (nodes.empty()) return false;
     ir::Arc const arc{random.pick(nodes), random.pick(rule.model().dimensions), random_word(), random.pick(nodes), {}};
+    if (random.chance(70)) make_room(left, arc);
     insert(left, arc);
-    if (random.chance(60) && rule.nodes[arc.source].preserved() && rule.nodes[arc.target].preserved()) insert(!left, arc);
+    if (random.chance(60) && rule.nodes[arc.source].preserved() && rule.nodes[arc.target].preserved()) {
+      make_room(!left, arc);
+      insert(!left, arc);
+    }
     return true;
   }
 
@@ -190,6 +264,7 @@ struct Mutation {
   bool preserve() {
     auto const edge = random_edge();
     if (!edge || !rule.nodes[edge->second.source].preserved() || !rule.nodes[edge->second.target].preserved()) return false;
+    if (random.chance(80)) make_room(!edge->first, edge->second);
     insert(!edge->first, edge->second);
     return true;
   }
@@ -253,7 +328,9 @@ struct Mutation {
 ir::RuleScheme mutate(ir::RuleScheme const& rule, Random& random) {
   for (int attempt = 0; attempt < 20; ++attempt) {
     Mutation mutation{rule, random};
-    if (!mutation.run() || ir::verify(mutation.rule)) continue;
+    if (!mutation.run()) continue;
+    if (random.chance(70)) mutation.repair_incident_arcs();
+    if (ir::verify(mutation.rule)) continue;
     renumber_spans(mutation.rule);
     return std::move(mutation.rule);
   }

@@ -74,6 +74,30 @@ TEST(DeadLeft, ContradictionsAreErrors) {
             "J0332");
 }
 
+TEST(DeadLeft, TwoNodesAtOneDart) {
+  EXPECT_EQ(verdict_on("gmap(2)", "rule r on M { left { hook a <0>; b <_>; a -1- b; } right { a; b; a -1- b; } }"), "");
+  // The 0-arc of `b` leads to the copy of the hook's other dart, so `c` would be a dart that `b` matches.
+  EXPECT_EQ(verdict_on("gmap(2)", "rule r on M { left { hook a <0>; b; c; a -2- b; b -0- c; } right { a; b; c; a -2- b; b -0- c; } }"), "J0334");
+  EXPECT_EQ(verdict_on("gmap(2)", "rule r on M { left { hook a <1>; b; c; a -0- b; b -0[1]-> c; } right { a; b; c; a -0- b; b -0[1]-> c; } }"), "J0301");
+  EXPECT_EQ(verdict_on("gmap(2)", "rule r on M { left { hook a <1>; b; a -0- b; c; b -1- c; d; c -0- d; } right { a; b; c; d; a -0- b; b -1- c; c -0- d; } }"), "");
+  EXPECT_EQ(verdict_on("closed_gmap(2)", "rule r on M { left { hook a <0,1>; a -2- a; } right { a; a -2- a; } }"), "J0335");
+}
+
+// The left side says that 2 leads nowhere on the pattern, so [0,2] is [0] there.
+TEST(ForcedRelations, ALoopOnTheHook) {
+  std::string const left = "rule r on M { left { hook a <0,1>; a -2- a; } right { a; a -2- b; ";
+  EXPECT_EQ(verdict_on("gmap(2)", left + "b <0,1>; } }"), "");
+  EXPECT_EQ(verdict_on("gmap(2)", left + "b <_,1>; b -0[0,2]- b; } }"), "");
+  EXPECT_EQ(verdict_on("gmap(2)", left + "b <_,1>; b -0[0,1,0]- b; } }"), "J0321");
+}
+
+// The pattern's darts are matched by the second hook along 0 and 2, which commute, so 0 and 1 commute on the pattern.
+TEST(ForcedRelations, AFurtherHookWhoseDimensionsCommute) {
+  std::string const first = "rule r on M { left { hook a <0,1>; ";
+  EXPECT_EQ(verdict_on("gmap(2)", first + "hook b <0,2>; } " + "right { a; b; c <0,2>; c -1- c; } }"), "");
+  EXPECT_EQ(verdict_on("gmap(2)", first + "hook b <0,1>; } " + "right { a; b; c <0,2>; c -1- c; } }"), "J0321");
+}
+
 TEST(Closed, LoopsAreRefusedUnlessTheWordMovesEveryDart) {
   EXPECT_EQ(verdict_on("closed_gmap(2)", "rule r on M { left { hook a <0,1,2>; } right { a <0,1,2>; b <0,1,_>; b -2- b; } }"), "J0333");
   EXPECT_EQ(verdict_on("closed_gmap(2)", "rule r on M { left { hook a <0,1,2>; } right { a <0,1,2>; b <0,1,2>; } }"), "");

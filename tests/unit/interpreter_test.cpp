@@ -126,7 +126,7 @@ TEST(Interpreter, ARefusalLeavesTheMapAsItWas) {
   EXPECT_EQ(refused.error().message, "`cone` is not applicable: the 2-arc of `a` has to be a loop, but from dart 6 it leads to dart 0");
   auto const twice = sew.at(map, {2, 3});
   ASSERT_FALSE(twice);
-  EXPECT_EQ(twice.error().message, "`sew` is not applicable: dart 2 would be matched twice");
+  EXPECT_EQ(twice.error().message, "`sew` is not applicable: dart 3 would be matched twice");
   EXPECT_FALSE(cone.at(map, {99}));
   EXPECT_EQ(print_jmap(map), before);
 }

@@ -67,7 +67,7 @@ void write_handles(Writer& out, Function const& f, std::size_t c) {
   std::string const& embedding = f.embeddings[component.embedding];
   std::string const handle = component.kind == Kind::fresh && !component.clause ? f.handles[c] : fmt::format("{}[{}]", f.handles[c], f.index);
   ir::NodeId const root = component.members.front().node;
-  std::string const if_first = component.generators.empty() ? "" : fmt::format("if ({0}[{1}] == {1}) ", f.orbits[c], f.index);
+  std::string const first = f.first(component), if_first = first.empty() ? "" : fmt::format("if ({0}[{1}] == {1}) ", first, f.index);
   switch (component.kind) {
     case Kind::fresh:
       for (auto const& member : component.members) {

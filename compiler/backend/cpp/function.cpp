@@ -2,11 +2,25 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "compiler/backend/cpp/text.h"
 
 namespace jrule::cpp {
 
 using Kind = analysis::OrbitComponent::Kind;
+
+namespace {
+
+// The generators of a component's orbits in the pattern, if the application visits these one by one.
+std::vector<Word> visited_orbits(analysis::OrbitComponent const& component) {
+  if (component.kind != Kind::merge && !component.clause) return {};
+  std::vector<Word> generators = component.generators;
+  std::sort(generators.begin(), generators.end());
+  return generators;
+}
+
+}  // namespace
 
 Function::Function(Rule const& accepted, source::Sources const& files, PublicNames public_names, Scope taken)
     : rule(*accepted.scheme), plan(*accepted.plan), sources(files), names(std::move(public_names)), scope(std::move(taken)) {
@@ -18,7 +32,7 @@ Function::Function(Rule const& accepted, source::Sources const& files, PublicNam
   workspace = scope.take("workspace");
   size = scope.take("n");
   index = scope.take("k");
-  for (char const* name : {"at", "to", "expected", "u", "added", "generators", "matches", "twice", "commit", "first", "orbit", "applied"}) locals[name] = scope.take(name);
+  for (char const* name : {"at", "to", "expected", "u", "added", "generators", "matches", "twice", "commit", "orbit", "applied"}) locals[name] = scope.take(name);
   for (ir::Let const& let : rule.lets) lets.push_back(scope.take(let.name));
 
   for (ir::NodeId const hook : rule.hooks) hook_loops.push_back(scope.take("loops_" + node(hook).name));
@@ -31,6 +45,10 @@ Function::Function(Rule const& accepted, source::Sources const& files, PublicNam
   }
   name_columns();
 
+  name_values();
+}
+
+void Function::name_values() {
   std::size_t const embedding_count = rule.modeler->embeddings.size();
   reads_embedding.resize(embedding_count);
   uses_embedding.resize(embedding_count);
@@ -43,13 +61,17 @@ Function::Function(Rule const& accepted, source::Sources const& files, PublicNam
     new_values.push_back(scope.take("new_" + e.name));
   }
   for (auto const& component : plan.orbits) {
-    std::string const name = fmt::format("{}_{}", spec(component.embedding).name, node(component.members.front().node).name);
-    orbits.push_back(scope.take("orbit_" + name));
-    orbit_generators.push_back(scope.take("generators_" + name));
-    handles.push_back(scope.take("handle_" + name));
+    std::string const& embedding = spec(component.embedding).name;
+    handles.push_back(scope.take(fmt::format("handle_{}_{}", embedding, node(component.members.front().node).name)));
     inherited.emplace_back();
     for (auto const& source : component.sources) {
-      inherited.back().push_back(scope.take(fmt::format("handle_{}_{}", spec(component.embedding).name, node(source.added).name)));
+      inherited.back().push_back(scope.take(fmt::format("handle_{}_{}", embedding, node(source.added).name)));
+    }
+    if (auto const generators = visited_orbits(component); !generators.empty() && !firsts.contains(generators)) {
+      std::string name = "first";
+      for (Word const& word : generators) name += "_" + name_part(word);
+      std::string const& first = firsts[generators] = scope.take(name);
+      locals[first + "_by"] = scope.take(first + "_by");
     }
     uses_embedding[component.embedding] = true;
     if (component.kind == Kind::fresh || component.kind == Kind::assign) {
@@ -106,10 +128,7 @@ void Function::name_columns() {
     if (component.kind == Kind::fresh) {
       for (auto const& member : component.members) add(member.path);
     }
-    bool const by_orbits = component.kind == Kind::merge || component.clause;
-    if (by_orbits) {
-      for (Word const& generator : component.generators) add(generator);
-    }
+    for (Word const& generator : visited_orbits(component)) add(generator);
     for (auto const& source : component.sources) add(source.word);
   }
 }
@@ -119,6 +138,11 @@ std::string Function::at(Word const& word) const {
 }
 
 std::string Function::dart(ir::NodeId id, Word const& word) const { return fmt::format("{}[{}]", darts[id], at(word)); }
+
+std::string Function::first(analysis::OrbitComponent const& component) const {
+  auto const found = firsts.find(visited_orbits(component));
+  return found == firsts.end() ? "" : found->second;
+}
 
 std::string Function::loop() const { return fmt::format("for (std::size_t {0} = 0; {0} < {1}; ++{0})", index, size); }
 

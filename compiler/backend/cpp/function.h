@@ -39,7 +39,8 @@ struct Function {
   std::vector<std::string> embeddings, values, new_values;
   std::map<OrbitType, std::string> orbit_types;    ///< those that expressions collect over
   std::vector<std::string> hook_loops;             ///< by hook
-  std::vector<std::string> orbits, orbit_generators, handles;  ///< by component of the plan
+  std::map<std::vector<Word>, std::string> firsts; ///< by generators: by pattern dart, the first one of its orbit
+  std::vector<std::string> handles;                ///< by component of the plan
   std::vector<std::vector<std::string>> inherited; ///< by component, then source
   std::vector<std::string> members;                ///< by node: its name in the result
 
@@ -58,6 +59,8 @@ struct Function {
   std::string dart(ir::NodeId id, Word const& word = {}) const;
   /// The index of u_k·word: "k", "at_2[k]".
   std::string at(Word const& word) const;
+  /// The column of the pattern's orbits that the component needs; empty if each dart is its own.
+  std::string first(analysis::OrbitComponent const& component) const;
   /// "for (std::size_t k = 0; k < n; ++k)".
   std::string loop() const;
 
@@ -65,6 +68,7 @@ struct Function {
   void use(ir::Expr const& expr);
   void use_orbit_type(OrbitType const& type);
   void name_columns();
+  void name_values();
 };
 
 /// The declaration of the rule's result and functions.

@@ -44,29 +44,36 @@ void write_conditions(Writer& out, Function const& f) {
   }
 }
 
-void write_orbits(Writer& out, Function const& f, std::size_t c) {
-  auto const& component = f.plan.orbits[c];
-  if (component.generators.empty()) return;
-  std::vector<std::string> generators;
-  for (Word const& word : component.generators) generators.push_back('&' + f.columns.at(word));
-  out.line("jrule::rewrite::Column const* const {}[] = {{{}}};", f.orbit_generators[c], fmt::join(generators, ", "));
-  out.line("jrule::rewrite::Column const {} = jrule::rewrite::pattern_orbits({}, {});", f.orbits[c], f.size, f.orbit_generators[c]);
+// first_w[k]: the first dart of the pattern in the orbit of its k-th one under some words.
+void write_orbits(Writer& out, Function const& f) {
+  if (f.firsts.empty()) return;
+  out.line();
+  auto const& [words, name] = *f.firsts.begin();
+  out.line("// {}[{}] is the first dart of the pattern in the {}-orbit of its {}-th dart{}.", name, f.index, jrule::to_string(OrbitType{words}), f.index,
+           f.firsts.size() > 1 ? "; and so on" : "");
+  for (auto const& [generators, first] : f.firsts) {
+    std::vector<std::string> columns;
+    for (Word const& word : generators) columns.push_back('&' + f.columns.at(word));
+    std::string const& by = f.local(first + "_by");
+    out.line("jrule::rewrite::Column const* const {}[] = {{{}}};", by, fmt::join(columns, ", "));
+    out.line("jrule::rewrite::Column const {} = jrule::rewrite::pattern_orbits({}, {});", first, f.size, by);
+  }
 }
 
 // One new value for each orbit, made at the first of its pattern darts.
 void write_clause(Writer& out, Function const& f, std::size_t c) {
   auto const& component = f.plan.orbits[c];
+  std::string const &handle = f.handles[c], first = f.first(component);
   std::string const add = fmt::format("{}.add({})", f.new_values[component.embedding],
                                       expression(*f.rule.clauses[*component.clause].value, f, Where::in_loop));
-  std::string const& handle = f.handles[c];
   out.line("std::vector<jrule::Handle> {}({});", handle, f.size);
-  if (component.generators.empty()) {
-    out.line("{} {}[{}] = {};", f.loop(), handle, f.index, add);
-    return;
-  }
   out.open("{} {{", f.loop());
-  out.line("std::size_t const {} = {}[{}];", f.local("first"), f.orbits[c], f.index);
-  out.line("{0}[{1}] = {2} < {1} ? {0}[{2}] : {3};", handle, f.index, f.local("first"), add);
+  if (first.empty()) {
+    out.line("{}[{}] = {};", handle, f.index, add);
+  } else {
+    out.line("{0}[{1}] = {2}[{1}] < {1} ? {0}[{2}[{1}]]", handle, f.index, first);
+    out.line("{:{}} : {};", "", handle.size() + first.size() + 3 * f.index.size() + 10, add);
+  }
   out.close();
 }
 
@@ -92,7 +99,7 @@ bool is_planned(analysis::OrbitComponent const& component) {
     case Kind::fresh:
     case Kind::assign: return true;
     case Kind::inherit: return has_inherited(component);
-    case Kind::merge: return !component.generators.empty();
+    case Kind::merge: return false;
   }
   return true;
 }
@@ -114,13 +121,9 @@ void write_component(Writer& out, Function const& f, std::size_t c) {
       [[fallthrough]];
     case Kind::assign:
       out.line("// {}: {}.{}", where, root.name, spec.name);
-      write_orbits(out, f, c);
       write_clause(out, f, c);
       return;
-    case Kind::merge:
-      out.line("// {}: {}.{} of orbits that may become one", where, root.name, spec.name);
-      write_orbits(out, f, c);
-      return;
+    case Kind::merge: return;  // the commit finds out
     case Kind::inherit:
       out.line("// {}: {} of the orbit that is joined", where, spec.name);
       write_inherited(out, f, c);
@@ -132,13 +135,14 @@ void write_component(Writer& out, Function const& f, std::size_t c) {
 
 void write_values(Writer& out, Function const& f) {
   bool any = !f.rule.lets.empty() || !f.rule.requirements.empty();
-  for (auto const& component : f.plan.orbits) any = any || is_planned(component);
+  for (auto const& component : f.plan.orbits) any = any || is_planned(component) || !f.first(component).empty();
   if (!any) return;
   out.line();
   out.line("// ---- Plan: conditions and new values, read from the map as it is ----");
   out.line();
   write_views(out, f);
   write_conditions(out, f);
+  write_orbits(out, f);
   for (std::size_t c = 0; c < f.plan.orbits.size(); ++c) {
     if (is_planned(f.plan.orbits[c])) write_component(out, f, c);
   }

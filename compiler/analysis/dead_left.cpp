@@ -1,0 +1,52 @@
+#include "compiler/analysis/dead_left.h"
+
+#include <fmt/format.h>
+
+#include "compiler/analysis/wording.h"
+
+namespace jrule::analysis {
+
+using source::Code;
+
+namespace {
+
+// In the first hook's component m(u, s) = u·x_s. If x_s·x̄_t leads from the pattern into the pattern, to u·p, then
+// m(u·p, t) = u·p·x_t = u·x_s = m(u, s): a dart matched twice.
+void check_clashes(ir::RuleScheme const& rule, algebra::Group const& group, Placement const& placement, PatternWords const& words,
+                   Refusals& refusals) {
+  for (ir::NodeId s = 0; s < rule.nodes.size(); ++s) {
+    for (ir::NodeId t = s + 1; t < rule.nodes.size(); ++t) {
+      if (rule.nodes[s].added() || rule.nodes[t].added() || placement.hook(s) != 0 || placement.hook(t) != 0) continue;
+      if (!placement.offset(s) || !placement.offset(t)) continue;
+      Word const between = group.product(*placement.offset(s), group.inverse(*placement.offset(t)));
+      if (!words.stays_in_pattern(between)) continue;
+      source::Diagnostic diagnostic{
+          .code = Code::dead_clash, .span = *rule.nodes[t].left_span,
+          .message = fmt::format("no map matches the left side: `{}` and `{}` would be the same darts", rule.nodes[s].name, rule.nodes[t].name),
+          .labels = {{*rule.nodes[s].left_span, fmt::format("every dart of `{}` is one of `{}` too", rule.nodes[t].name, rule.nodes[s].name)}},
+          .notes = {fmt::format("the orbit of the hook `{}` contains both: {} leads from the copy `{}` to the copy `{}`", rule.nodes[rule.hooks.front()].name,
+                                describe(between), rule.nodes[s].name, rule.nodes[t].name),
+                    "a match takes each dart once (paper, section 6.3)"}};
+      refusals.push_back({std::move(diagnostic), t, -1, -1});
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+Refusals check_dead_left(ir::RuleScheme const& rule, algebra::Group const& group, Placement const& placement, PatternWords const& words) {
+  Refusals refusals;
+  check_clashes(rule, group, placement, words, refusals);
+  if (!rule.model().closed) return refusals;
+  for (Relation const& relation : words.relations()) {
+    if (!group.is_conjugate_to_letter(relation.word)) continue;
+    refusals.push_back({{.code = Code::dead_fixed_dart, .span = relation.span,
+                         .message = fmt::format("no map matches the left side: {} would return to its dart", describe(relation.word)),
+                         .notes = {relation.reason, fmt::format("in a {} no arc leads from a dart to itself, so that path moves every dart", map_name(rule.model()))}},
+                        0, -1, -1});
+  }
+  return refusals;
+}
+
+}  // namespace jrule::analysis

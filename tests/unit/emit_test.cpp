@@ -1,0 +1,279 @@
+// The text of generated C++. That it computes the right thing is tested by tests/integration/generated_test.
+#include "compiler/backend/cpp/emit.h"
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "compiler/backend/cpp/names.h"
+#include "compiler/backend/cpp/text.h"
+#include "compiler/sema/elaborate.h"
+
+namespace jrule::cpp {
+namespace {
+
+// ---- Names ----
+
+TEST(Names, Identifiers) {
+  EXPECT_EQ(identifier("cone"), "cone");
+  EXPECT_EQ(identifier("delete"), "delete_");
+  EXPECT_EQ(identifier("errno"), "errno_");
+  EXPECT_EQ(identifier("sew[2]"), "sew_2");
+  EXPECT_EQ(identifier("glue[1,2]"), "glue_1_2");
+  EXPECT_EQ(identifier("gmap(3)"), "gmap_3");
+  EXPECT_EQ(identifier("my-rules"), "my_rules");
+  EXPECT_EQ(identifier("2d"), "x2d");
+  EXPECT_EQ(identifier("a__b"), "a_b");
+  EXPECT_EQ(identifier("_Big"), "x_Big");
+  EXPECT_EQ(identifier("_"), "x_");
+  EXPECT_EQ(identifier("\xc3\xa9t\xc3\xa9"), "_t_");
+}
+
+TEST(Names, Cases) {
+  EXPECT_EQ(camel_case("quad_subdivision"), "QuadSubdivision");
+  EXPECT_EQ(camel_case("sew2"), "Sew2");
+  EXPECT_EQ(camel_case("gmap_3"), "Gmap3");
+  EXPECT_EQ(snake_case("HalfEdges"), "half_edges");
+  EXPECT_EQ(snake_case("Surface"), "surface");
+  EXPECT_EQ(snake_case("OBJ"), "obj");
+}
+
+TEST(Names, Namespaces) {
+  EXPECT_EQ(namespace_of("std.surface"), "surface");
+  EXPECT_EQ(namespace_of("class"), "class_");
+  EXPECT_EQ(namespace_of("truncate"), "truncate_");  // a function of <unistd.h>
+  EXPECT_EQ(namespace_of("std"), "std_");
+}
+
+TEST(Names, Scopes) {
+  Scope scope;
+  EXPECT_EQ(scope.take("a"), "a");
+  EXPECT_EQ(scope.take("a"), "a_");
+  EXPECT_EQ(scope.take("a"), "a_2");
+  EXPECT_EQ(scope.take("int"), "int_");
+  EXPECT_EQ(scope.take("int"), "int_1");
+  EXPECT_FALSE(scope.reserve("a_2"));
+}
+
+// ---- Pieces ----
+
+TEST(Text, Literals) {
+  EXPECT_EQ(literal(Value(0.5)), "0.5");
+  EXPECT_EQ(literal(Value(3.0)), "3.0");
+  EXPECT_EQ(literal(Value(-0.0)), "-0.0");
+  EXPECT_EQ(literal(Value(1e300)), "1e+300");
+  EXPECT_EQ(literal(Value(std::numeric_limits<double>::infinity())), "std::numeric_limits<double>::infinity()");
+  EXPECT_EQ(literal(Value(std::int64_t{-3})), "std::int64_t{-3}");
+  EXPECT_EQ(literal(Value(std::numeric_limits<std::int64_t>::min())), "std::numeric_limits<std::int64_t>::min()");
+  EXPECT_EQ(literal(Value(true)), "true");
+  EXPECT_EQ(literal(Value(Point3{0, 1, 0.25})), "jrule::Point3{0.0, 1.0, 0.25}");
+  EXPECT_EQ(literal(std::string_view("a\"\\\n")), R"("a\"\\\n")");
+}
+
+TEST(Text, WordsAndWalks) {
+  Word const word{{2, false}, {1, true}};
+  EXPECT_EQ(initializer(word), "{{2, false}, {1, true}}");
+  EXPECT_EQ(name_part(word), "2_b1");
+  EXPECT_EQ(walk("map", "a", word), "map.source(map.target(a, 2), 1)");
+  EXPECT_EQ(orbit_expression(orbit_of_dimensions({0, 1})), "jrule::orbit_of_dimensions({0, 1})");
+  EXPECT_EQ(orbit_expression({{word}}), "jrule::OrbitType{{{{2, false}, {1, true}}}}");
+}
+
+TEST(Text, DocumentationCannotSpill) {
+  EXPECT_EQ(documentation("one\\ \ntwo  \r\n\nthree\\\\\n\n"), (std::vector<std::string>{"one", "two", "", "three"}));
+}
+
+// ---- Whole modules ----
+
+struct Emitted {
+  std::string header, code;
+  std::vector<source::Diagnostic> problems;
+  std::vector<std::string> places;  ///< the source text that each problem is about
+};
+
+Emitted emit_module(std::string const& text, Options const& options = {}) {
+  std::filesystem::path const folder = std::filesystem::path(testing::TempDir()) / "jrule_emit_test";
+  std::filesystem::create_directories(folder);
+  std::string const path = (folder / "shapes.jrule").string();
+  std::ofstream(path, std::ios::binary) << text;
+
+  source::Sources sources;
+  source::Diagnostics diagnostics;
+  ir::Program const program = sema::elaborate(sema::load(path, {}, sources, diagnostics), diagnostics);
+  for (source::Diagnostic const& d : diagnostics.all()) ADD_FAILURE() << source::render_human(sources, d);
+  std::vector<analysis::Verdict> verdicts;
+  for (ir::RuleScheme const& rule : program.rules) {
+    verdicts.push_back(analysis::analyze(rule));
+    EXPECT_TRUE(verdicts.back().accepted()) << rule.name;
+  }
+  std::vector<Rule> rules;
+  for (std::size_t i = 0; i < program.rules.size(); ++i) rules.push_back({&program.rules[i], &verdicts[i].plan});
+
+  Emitted emitted;
+  auto const files = emit(program, rules, sources, options, diagnostics);
+  emitted.problems = diagnostics.all();
+  for (source::Diagnostic const& d : emitted.problems) {
+    emitted.places.emplace_back(d.span.file == source::no_file ? std::string_view("nowhere") : sources.text(d.span));
+  }
+  EXPECT_EQ(files.empty(), diagnostics.has_errors());
+  if (files.size() == 2) {
+    EXPECT_EQ(files[0].name, "shapes.h");
+    EXPECT_EQ(files[1].name, "shapes.cpp");
+    emitted.header = files[0].text;
+    emitted.code = files[1].text;
+  }
+  return emitted;
+}
+
+void expect_contains(std::string const& text, std::string const& piece) {
+  EXPECT_NE(text.find(piece), std::string::npos) << "missing:\n" << piece << "\nin:\n" << text;
+}
+
+std::string const shapes = R"(/// Surfaces.
+modeler Shape on gmap(2) {
+  embedding position : <1,2> -> Point3;
+}
+
+/// Raises a cone.
+/// On a free face.
+rule cone(scale: Int, height: Real = 0.5, apex: Point3 = Point3(0, 0, 1)) on Shape {
+  left {
+    hook a <0,1>;
+    a -2- a;
+    let far = distance(a.position, apex) + height * scale;
+    require far > 0 and not (height < 0 or scale == 2);
+  }
+  right {
+    /// The side.
+    a; b <0,_>; c <_,2>; d <1,2> { position = apex + (mean(<0,1>(a).position) - a@0.position) * far; }
+    a -2- b -1- c -0- d;
+  }
+}
+)";
+
+TEST(Emit, Header) {
+  std::string const header = emit_module(shapes).header;
+  expect_contains(header, R"(#pragma once
+)");
+  expect_contains(header, R"(/// Surfaces.
+class Shape {
+ public:
+  static jrule::Model model() { return jrule::gmap(2); }
+  static std::vector<jrule::EmbeddingSpec> embeddings() {
+    return {
+      {"position", jrule::orbit_of_dimensions({1, 2}), jrule::Type::Point3, std::nullopt, jrule::MergePolicy::none},
+    };
+  }
+)");
+  expect_contains(header, R"(  jrule::Dart d = jrule::no_dart;  ///< added
+)");
+  expect_contains(header, R"(/// Raises a cone.
+/// On a free face.
+///
+/// shapes.jrule:8
+/// @param a  hook <0,1>
+/// @param scale  Int
+/// @param height  Real, by default 0.5
+/// @param apex  Point3, by default Point3(0, 0, 1)
+)");
+  expect_contains(header,
+                  "jrule::Result<ConeResult> cone(Shape& shape, jrule::Dart a, std::int64_t scale, double height = 0.5, "
+                  "jrule::Point3 apex = jrule::Point3{0.0, 0.0, 1.0});\n");
+  expect_contains(header, "jrule::Result<std::size_t> cone_everywhere(Shape& shape, std::int64_t scale, double height = 0.5, ");
+}
+
+TEST(Emit, CodeReadsFromTopToBottom) {
+  std::string const code = emit_module(shapes).code;
+  expect_contains(code, "#include \"shapes.h\"\n");
+  expect_contains(code, "namespace shapes {\n");
+  expect_contains(code, R"(
+  // shapes.jrule:11: a -2-> a
+  for (std::size_t k = 0; k < n; ++k) {
+    jrule::Dart const at = match_a[k], to = map.target(at, 2), expected = match_a[k];
+    if (to != expected) return tl::unexpected(jrule::rewrite::arc_differs("cone", "a", 2, "a", at, to, expected));
+  }
+)");
+  expect_contains(code, R"(
+  double const far = jrule::distance(position_of[a], apex) + height * static_cast<double>(scale);
+)");
+  expect_contains(code, R"(
+  if (!(far > 0.0 && !(height < 0.0 || scale == std::int64_t{2}))) {
+)");
+  expect_contains(code, "new_position.add(apex + (jrule::mean(position_of.over(map, orbit_0_1, orbit_1, match_a[k])) - "
+                        "position_of[map.target(match_a[k], 0)]) * far);\n");
+  expect_contains(code, "    for (std::size_t k = 0; k < n; ++k) map.set_target(match_a[k], 2, added_b[k]);\n");
+  std::size_t const match = code.find("// ---- Match"), plan = code.find("// ---- Plan"), room = code.find("// ---- Room"),
+                    commit = code.find("// ---- Commit"), end = code.find("return ConeResult{");
+  EXPECT_TRUE(match < plan && plan < room && room < commit && commit < end && end != std::string::npos);
+}
+
+TEST(Emit, EqualInputsGiveEqualBytes) {
+  Emitted const first = emit_module(shapes), second = emit_module(shapes);
+  EXPECT_EQ(first.header, second.header);
+  EXPECT_EQ(first.code, second.code);
+  EXPECT_EQ(first.header.find(testing::TempDir()), std::string::npos);
+  EXPECT_EQ(first.code.find(testing::TempDir()), std::string::npos);
+}
+
+TEST(Emit, Options) {
+  Emitted const emitted = emit_module(shapes, {"my::ops", "my/ops"});
+  expect_contains(emitted.code, "#include \"my/ops/shapes.h\"\n");
+  expect_contains(emitted.code, "namespace my::ops {\n");
+  expect_contains(emitted.header, "}  // namespace my::ops\n");
+}
+
+TEST(Emit, HarmlessNamesAreChanged) {
+  Emitted const emitted = emit_module(R"(modeler class on gmap(2) { }
+rule r(map: Real, r: Int) on class {
+  left { hook delete <0>; require map > 0 and r > 0; }
+  right { delete; }
+}
+)");
+  EXPECT_TRUE(emitted.problems.empty());
+  expect_contains(emitted.header, "class class_ {\n");
+  expect_contains(emitted.header, "  jrule::Dart delete_ = jrule::no_dart;  ///< hook <0>\n");
+  expect_contains(emitted.header, "jrule::Result<RResult> r(class_& class_1, jrule::Dart delete_, double map, std::int64_t r_);\n");
+}
+
+TEST(Emit, NamesThatUsersSeeAreRefused) {
+  Emitted const emitted = emit_module(R"(modeler M on gmap(2) {
+  embedding map : <1,2> -> Real { default 0.0; merge mean; }
+  embedding set_height : <1,2> -> Real { default 0.0; merge mean; }
+  embedding height : <1,2> -> Real { default 0.0; merge mean; }
+  embedding M : <1,2> -> Int { default 0; merge min; }
+}
+rule template on M { left { hook a <0>; } right { a; } }
+rule a__b on M { left { hook a <0>; } right { a; } }
+rule c on M { left { hook a <0>; } right { a; } }
+rule c_everywhere on M { left { hook a <0>; } right { a; } }
+rule errno on M { left { hook a <0>; } right { a; } }
+)");
+  EXPECT_EQ(emitted.header, "");
+  std::vector<std::string> places = emitted.places;
+  std::sort(places.begin(), places.end());
+  EXPECT_EQ(places, (std::vector<std::string>{"M", "a__b", "c_everywhere", "errno", "height", "map", "template"}));
+  for (source::Diagnostic const& d : emitted.problems) EXPECT_EQ(info(d.code).number, "J0901");
+}
+
+TEST(Emit, BadNamespacesAreRefused) {
+  for (char const* bad : {"my::class", "std", "my::jrule", "my::", "::my", "a-b", "2d"}) {
+    Emitted const emitted = emit_module(shapes, {bad, ""});
+    ASSERT_EQ(emitted.places, std::vector<std::string>{"nowhere"}) << bad;
+  }
+}
+
+TEST(Emit, BareModelsAndCustomModelsGetAClass) {
+  Emitted const emitted = emit_module(R"(model ring(n) { dimensions 0..n; oriented 1; exchange (0, 2); }
+modeler Rings on ring(2);
+rule dart on gmap(1) { left { } right { a; a -0- a; a -1- a; } }
+)");
+  expect_contains(emitted.header, "class Gmap1 {\n");
+  expect_contains(emitted.header, "jrule::Result<DartResult> dart(Gmap1& gmap1);\n");
+  expect_contains(emitted.header, "static jrule::Model model() { return {\"ring\", 2, {0, 1, 2}, 0x2, {{0, 2}}, false}; }\n");
+  EXPECT_EQ(emitted.header.find("dart_everywhere"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace jrule::cpp
