@@ -76,8 +76,8 @@ TEST(DeadLeft, ContradictionsAreErrors) {
 
 TEST(DeadLeft, TwoNodesAtOneDart) {
   EXPECT_EQ(verdict_on("gmap(2)", "rule r on M { left { hook a <0>; b <_>; a -1- b; } right { a; b; a -1- b; } }"), "");
-  // The 0-arc of `b` leads to the copy of the hook's other dart, so `c` would be a dart that `b` matches.
-  EXPECT_EQ(verdict_on("gmap(2)", "rule r on M { left { hook a <0>; b; c; a -2- b; b -0- c; } right { a; b; c; a -2- b; b -0- c; } }"), "J0334");
+  // The dart of `b` that the 1-arc of (u, a) leads to is that of u·1 in the pattern, so it is (u·1, a).
+  EXPECT_EQ(verdict_on("gmap(2)", "rule r on M { left { hook a <>; b; a -1[1]- b; } right { a; b; a -1[1]- b; } }"), "J0334");
   EXPECT_EQ(verdict_on("gmap(2)", "rule r on M { left { hook a <1>; b; c; a -0- b; b -0[1]-> c; } right { a; b; c; a -0- b; b -0[1]-> c; } }"), "J0301");
   EXPECT_EQ(verdict_on("gmap(2)", "rule r on M { left { hook a <1>; b; a -0- b; c; b -1- c; d; c -0- d; } right { a; b; c; d; a -0- b; b -1- c; c -0- d; } }"), "");
   EXPECT_EQ(verdict_on("closed_gmap(2)", "rule r on M { left { hook a <0,1>; a -2- a; } right { a; a -2- a; } }"), "J0335");
