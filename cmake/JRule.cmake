@@ -50,7 +50,8 @@ function(jrule_add_rules target)
   foreach(rules IN LISTS ARG_RULES)
     get_filename_component(source "${rules}" ABSOLUTE)
     get_filename_component(name "${rules}" NAME_WLE)
-    set(generated "${output_dir}/${name}.cpp" "${output_dir}/${name}.h")
+    # In the order of the depfile: Ninja takes another first output for a depfile that is not this command's.
+    set(generated "${output_dir}/${name}.h" "${output_dir}/${name}.cpp")
     add_custom_command(
       OUTPUT ${generated}
       COMMAND "${compiler}" emit cpp "${source}" -o "${output_dir}" --depfile "${output_dir}/${name}.d" ${flags}

@@ -1,6 +1,7 @@
 #include "compiler/analysis/analyze.h"
 
 #include <algorithm>
+#include <set>
 
 #include "compiler/analysis/closedness.h"
 #include "compiler/analysis/completion.h"
@@ -16,16 +17,25 @@ namespace {
 void append(Refusals& all, Refusals more) {
   for (Refusal& refusal : more) all.push_back(std::move(refusal));
 }
+
+// Refusals of dimensions in which nothing was refused before: one slip is said once.
+void append_new_dimensions(Refusals& all, Refusals more) {
+  std::set<int> known;
+  for (Refusal const& refusal : all) known.insert(refusal.i);
+  for (Refusal& refusal : more) {
+    if (!known.contains(refusal.i)) all.push_back(std::move(refusal));
+  }
+}
 }  // namespace
 
 Verdict analyze(ir::RuleScheme const& rule) {
   Verdict verdict;
-  append(verdict.refusals, check_incident_arcs(rule));
-  if (!verdict.accepted()) return verdict;
   algebra::Group const group(rule.model());
   Placement const placement(rule, group);
   PatternWords const words(rule, group, placement);
-  append(verdict.refusals, check_non_orientation(rule, group, words));
+  append(verdict.refusals, check_incident_arcs(rule));
+  append_new_dimensions(verdict.refusals, check_non_orientation(rule, group, words));
+  if (!verdict.accepted()) return verdict;
   append(verdict.refusals, check_closedness(rule));
   Completed const completed = complete(rule, group, placement, words);
   append(verdict.refusals, completed.dead);

@@ -12,7 +12,7 @@ struct Verdict {
   bool accepted() const { return refusals.empty(); }
 };
 
-/// Incident arcs first, since the other conditions need it; then completion, non-orientation, cycles, closedness; then
+/// Incident arcs and non-orientation first, since the other conditions need them; then completion, cycles, closedness; then
 /// embeddings. Cost: O(nodes · dimensions²), apart from comparing words.
 Verdict analyze(ir::RuleScheme const& rule);
 

@@ -18,7 +18,10 @@ struct Completion {
 
   std::string name(ir::NodeId id) const { return result.rule.nodes[id].name; }
 
-  void add_to_both(ir::Arc arc) {
+  ArcIndex index_of(ir::Arc const& arc) const { return static_cast<ArcIndex>(&arc - result.rule.left.arcs.data()); }
+
+  void add_to_both(ir::Arc arc, ImpliedEvidence evidence) {
+    result.implied.push_back(std::move(evidence));
     result.rule.left.arcs.push_back(arc);
     result.rule.right.arcs.push_back(std::move(arc));
   }
@@ -42,7 +45,7 @@ struct Completion {
         return false;
       }
       if (!back) {
-        add_to_both({arc.target, d, group.inverse(arc.word), arc.source, arc.span});
+        add_to_both({arc.target, d, group.inverse(arc.word), arc.source, arc.span}, {ImpliedEvidence::Kind::reverse, {index_of(arc)}});
         return true;
       }
     }
@@ -69,8 +72,9 @@ struct Completion {
       Word const word = group.product(group.product(first->word, second->word), third->word);
       ir::Arc const arc{end, j, group.inverse(word), start, second->span};
       ir::Arc const reverse{start, j, word, end, second->span};
-      add_to_both(arc);
-      if (!rule.model().is_oriented(j) && !reverse.same(arc)) add_to_both(reverse);
+      ArcIndex const added = rule.left.arcs.size();
+      add_to_both(arc, {ImpliedEvidence::Kind::cycle, {index_of(*first), index_of(*second), index_of(*third)}});
+      if (!rule.model().is_oriented(j) && !reverse.same(arc)) add_to_both(reverse, {ImpliedEvidence::Kind::reverse, {added}});
       return true;
     }
     return false;
@@ -89,7 +93,7 @@ struct Completion {
           if (!in_first(t) || table.in(t, d)) continue;
           Word const word = group.product(there, group.inverse(*placement.offset(t)));
           if (!words.stays_in_pattern(word)) continue;
-          add_to_both({s, d, word, t, rule.nodes[s].span()});
+          add_to_both({s, d, word, t, rule.nodes[s].span()}, {ImpliedEvidence::Kind::placement, {}});
           return true;
         }
       }
@@ -113,7 +117,7 @@ struct Completion {
 }  // namespace
 
 Completed complete(ir::RuleScheme const& rule, algebra::Group const& group, Placement const& placement, PatternWords const& words) {
-  Completion completion{group, placement, words, {rule, {}}};
+  Completion completion{group, placement, words, {rule, {}, {}}};
   // Each step adds an arc to a node that had none, so this ends.
   bool changed = true;
   while (changed && completion.result.dead.empty()) {

@@ -12,6 +12,7 @@ namespace jrule::analysis {
 /// completing from the right side would make unsound rules pass. The rule must satisfy the incident-arcs condition.
 struct Completed {
   ir::RuleScheme rule;
+  std::vector<ImpliedEvidence> implied;  ///< of the arcs added, on either side the last ones
   Refusals dead;  ///< J033x: no map can match the left side
 };
 Completed complete(ir::RuleScheme const& rule, algebra::Group const& group, Placement const& placement, PatternWords const& words);

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <set>
 
+#include "compiler/analysis/alternating_paths.h"
 #include "compiler/analysis/wording.h"
 
 namespace jrule::analysis {
@@ -13,44 +13,6 @@ namespace jrule::analysis {
 using source::Code;
 
 namespace {
-
-// An alternating path: its arcs in order, its dimensions alternating between i and j.
-using Path = std::vector<ir::Arc const*>;
-
-struct SideView {
-  ir::Side const& side;
-  ir::Side const& other;
-  ir::Table table;
-
-  SideView(std::size_t nodes, ir::Side const& s, ir::Side const& o) : side(s), other(o), table(nodes, s) {}
-  // Added on the right, deleted on the left.
-  bool changed(ir::Arc const& arc) const { return ir::find_same(other, arc) == nullptr; }
-
-  // At most four steps i, j, i, j from a node; shorter where an arc is not there.
-  Path walk(ir::NodeId from, int i, int j) const {
-    Path path;
-    for (int const d : {i, j, i, j}) {
-      ir::Arc const* const arc = table.out(from, d);
-      if (!arc) break;
-      path.push_back(arc);
-      from = arc->target;
-    }
-    return path;
-  }
-
-  // The maximal alternating path of changed arcs that starts with this arc; empty if it starts earlier.
-  Path maximal_from(ir::Arc const& first, int other_dimension) const {
-    ir::Arc const* const before = table.in(first.source, other_dimension);
-    if (before && changed(*before)) return {};
-    Path path;
-    int d = other_dimension;
-    int e = first.dimension;
-    for (ir::Arc const* arc = &first; arc && changed(*arc); arc = table.out(arc->target, d), std::swap(d, e)) path.push_back(arc);
-    return path;
-  }
-};
-
-bool closes(Path const& path) { return path.size() == 4 && path.back()->target == path.front()->source; }
 
 struct CycleCheck {
   ir::RuleScheme const& rule;
@@ -63,7 +25,7 @@ struct CycleCheck {
 
   std::string name(ir::NodeId id) const { return rule.nodes[id].name; }
 
-  Word word_of(Path const& path) const {
+  Word word_of(AlternatingPath const& path) const {
     Word word;
     for (ir::Arc const* arc : path) word = group.product(word, arc->word);
     return word;
@@ -73,7 +35,7 @@ struct CycleCheck {
     return fmt::format("in a {} the path {}{}{}{} returns to every dart (cycles; paper, Def. 9 and 27)", map_name(rule.model()), i, j, i, j);
   }
 
-  void label_steps(source::Diagnostic& diagnostic, Path const& path) const {
+  void label_steps(source::Diagnostic& diagnostic, AlternatingPath const& path) const {
     for (std::size_t k = 0; k < path.size(); ++k) {
       ir::Arc const& arc = *path[k];
       std::string text = fmt::format("step {}: the {}-arc from `{}` to `{}`", k + 1, arc.dimension, name(arc.source), name(arc.target));
@@ -83,7 +45,7 @@ struct CycleCheck {
   }
 
   // Of a failing cycle, the changed arc that carries a word and is written last: there the words usually go wrong.
-  ir::Arc const* culprit(SideView const& view, Path const& path) const {
+  ir::Arc const* culprit(SideView const& view, AlternatingPath const& path) const {
     ir::Arc const* best = nullptr;
     auto const rank = [&](ir::Arc const* arc) { return std::tuple(view.changed(*arc), !arc->word.empty(), arc->span); };
     for (ir::Arc const* arc : path) {
@@ -93,14 +55,14 @@ struct CycleCheck {
   }
 
   // A failing cycle is reported once, not from each of its nodes.
-  bool first_report(Path const& path, int i, int j) {
+  bool first_report(AlternatingPath const& path, int i, int j) {
     auto const key = [&](ir::NodeId node) { return std::tuple(std::min(i, j), std::max(i, j), node); };
     bool const known = std::any_of(path.begin(), path.end(), [&](ir::Arc const* arc) { return reported.contains(key(arc->source)); });
     for (ir::Arc const* arc : path) reported.insert({key(arc->source), key(arc->target)});
     return !known;
   }
 
-  void refuse_cycle(Path const& path, int i, int j) {
+  void refuse_cycle(AlternatingPath const& path, int i, int j) {
     ir::NodeId const start = path.front()->source, end = path.back()->target;
     if (!first_report(path, i, j)) return;
     ir::Arc const* const at = culprit(right, path);
@@ -118,18 +80,7 @@ struct CycleCheck {
     refusals.push_back({std::move(diagnostic), start, i, j});
   }
 
-  // The maximal changed path on `view`, in no cycle, with the ends and labels of this one; empty if there is none.
-  Path partner_of(Path const& path, SideView const& view, int i, int j) const {
-    ir::Arc const* const first = view.table.out(path.front()->source, path.front()->dimension);
-    if (!first || !view.changed(*first)) return {};
-    int const second = path.front()->dimension == i ? j : i;
-    Path partner = view.maximal_from(*first, second);
-    bool const coherent = partner.size() == path.size() && partner.back()->target == path.back()->target &&
-                          !closes(view.walk(first->source, first->dimension, second));
-    return coherent ? partner : Path{};
-  }
-
-  void refuse_path(Path const& path, Path const& partner, bool added, int i, int j) {
+  void refuse_path(AlternatingPath const& path, AlternatingPath const& partner, bool added, int i, int j) {
     ir::NodeId const start = path.front()->source, end = path.back()->target;
     std::string labels;
     for (ir::Arc const* arc : path) labels += static_cast<char>('0' + arc->dimension);
@@ -153,28 +104,19 @@ struct CycleCheck {
     refusals.push_back({std::move(diagnostic), start, i, j});
   }
 
-  void check_paths(SideView const& view, SideView const& other, bool added, int i, int j) {
-    for (ir::Arc const& arc : view.side.arcs) {
-      if ((arc.dimension != i && arc.dimension != j) || !view.changed(arc)) continue;
-      int const d = arc.dimension, e = d == i ? j : i;
-      Path const cycle = view.walk(arc.source, d, e);
-      if (cycle.size() == 4) {
-        // On the left a closed walk is a fact, and completion has refused the others.
-        if (added && (!closes(cycle) || !words.trivial(word_of(cycle)))) {
-          // Named by the smaller dimension first where that reads the same.
-          Path const usual = view.walk(arc.source, i, j);
-          bool const same = usual.size() == 4 && (!closes(usual) || !words.trivial(word_of(usual)));
-          same ? refuse_cycle(usual, i, j) : refuse_cycle(cycle, d, e);
-        }
-        continue;
-      }
-      Path const path = view.maximal_from(arc, e);
-      if (path.empty()) continue;  // part of a longer one, which starts elsewhere
-      // A non-oriented path is the same read backwards: report it from its first node only.
-      bool const mirror = path.front()->source > path.back()->target && !rule.model().is_oriented(i) && !rule.model().is_oriented(j);
-      Path const partner = partner_of(path, other, i, j);
-      bool const replaced = !partner.empty() && words.equal(word_of(partner), word_of(path));
-      if (!replaced && !mirror) refuse_path(path, partner, added, i, j);
+  void check(CycleObligation const& obligation, int i, int j) {
+    AlternatingPath const& path = obligation.path;
+    if (obligation.four_steps()) {
+      // On the left a closed walk is a fact, and completion has refused the others.
+      if (!obligation.added || (closes(path) && words.trivial(word_of(path)))) return;
+      // Named by the smaller dimension first where that reads the same.
+      ir::Arc const& first = *path.front();
+      AlternatingPath const usual = right.walk(first.source, i, j);
+      bool const same = usual.size() == 4 && (!closes(usual) || !words.trivial(word_of(usual)));
+      same ? refuse_cycle(usual, i, j) : refuse_cycle(path, first.dimension, first.dimension == i ? j : i);
+    } else {
+      bool const replaced = !obligation.partner.empty() && words.equal(word_of(obligation.partner), word_of(path));
+      if (!replaced) refuse_path(path, obligation.partner, obligation.added, i, j);
     }
   }
 };
@@ -184,8 +126,7 @@ struct CycleCheck {
 Refusals check_cycles(ir::RuleScheme const& completed, algebra::Group const& group, PatternWords const& words) {
   CycleCheck check{completed, group, words};
   for (auto const& [i, j] : completed.model().exchange) {
-    check.check_paths(check.left, check.right, false, i, j);
-    check.check_paths(check.right, check.left, true, i, j);
+    for (CycleObligation const& obligation : cycle_obligations(check.left, check.right, completed.model(), i, j)) check.check(obligation, i, j);
   }
   return std::move(check.refusals);
 }

@@ -24,8 +24,9 @@ void check_clashes(ir::RuleScheme const& rule, algebra::Group const& group, Plac
           .code = Code::dead_clash, .span = *rule.nodes[t].left_span,
           .message = fmt::format("no map matches the left side: `{}` and `{}` would be the same darts", rule.nodes[s].name, rule.nodes[t].name),
           .labels = {{*rule.nodes[s].left_span, fmt::format("every dart of `{}` is one of `{}` too", rule.nodes[t].name, rule.nodes[s].name)}},
-          .notes = {fmt::format("the orbit of the hook `{}` contains both: {} leads from the copy `{}` to the copy `{}`", rule.nodes[rule.hooks.front()].name,
-                                describe(between), rule.nodes[s].name, rule.nodes[t].name),
+          .notes = {between.empty() ? fmt::format("at each dart of the pattern `{}` and `{}` stand for the same dart", rule.nodes[s].name, rule.nodes[t].name)
+                                    : fmt::format("`{}` at a dart of the pattern and `{}` at the one where {} leads from it stand for the same dart",
+                                                  rule.nodes[s].name, rule.nodes[t].name, describe(between)),
                     "a match takes each dart once (paper, section 6.3)"}};
       refusals.push_back({std::move(diagnostic), t, -1, -1});
       return;
@@ -42,8 +43,8 @@ Refusals check_dead_left(ir::RuleScheme const& rule, algebra::Group const& group
   for (Relation const& relation : words.relations()) {
     if (!group.is_conjugate_to_letter(relation.word)) continue;
     refusals.push_back({{.code = Code::dead_fixed_dart, .span = relation.span,
-                         .message = fmt::format("no map matches the left side: {} would return to its dart", describe(relation.word)),
-                         .notes = {relation.reason, fmt::format("in a {} no arc leads from a dart to itself, so that path moves every dart", map_name(rule.model()))}},
+                         .message = fmt::format("no map matches the left side: {} would lead a dart back to itself", describe(relation.word)),
+                         .notes = {relation.reason, fmt::format("in a {} no arc leads from a dart to itself, so that path leads to another dart", map_name(rule.model()))}},
                         0, -1, -1});
   }
   return refusals;

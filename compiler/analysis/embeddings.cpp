@@ -47,8 +47,29 @@ struct OrbitAnalysis {
     for (ir::NodeId id = 0; id < rule.nodes.size(); ++id) {
       if (rule.nodes[id].deleted()) continue;
       if (rule.nodes[id].preserved()) anchors.push_back({id, {}, id, {}});
-      for (Word const& word : spec().orbit.words) walk(id, word);
+      for (Word const& word : spec().orbit.words) {
+        walk(id, word);
+        for (std::size_t k = 1; k < word.size(); ++k) enter(id, word, k);
+      }
     }
+  }
+
+  // A walk that comes from outside the rule, by an unmatched arc, and is at `id` after k letters: the dart where it started
+  // is of the orbit of the node where it ends. (The first k - 1 letters are walked as the map was before.)
+  void enter(ir::NodeId id, Word const& path, std::size_t k) {
+    Letter const last = path[k - 1];
+    if (last.conjugate ? right.out(id, last.dimension) : right.in(id, last.dimension)) return;
+    ir::NodeId at = id;
+    Word word;
+    for (std::size_t next = k; next < path.size(); ++next) {
+      Letter const letter = path[next];
+      ir::Arc const* const arc = letter.conjugate ? right.in(at, letter.dimension) : right.out(at, letter.dimension);
+      if (!arc) return;
+      word = group.product(word, letter.conjugate ? group.inverse(arc->word) : arc->word);
+      at = letter.conjugate ? arc->source : arc->target;
+    }
+    Word const prefix(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(k));
+    anchors.push_back({at, group.inverse(word), id, group.inverse(prefix)});
   }
 
   void walk(ir::NodeId start, Word const& path) {

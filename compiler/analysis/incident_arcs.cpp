@@ -57,6 +57,7 @@ struct IncidentArcs {
     bool const out = right.out(id, d), in = right.in(id, d);
     if (out && in) return;
     bool const half = out || in;
+    if (half && !rule.model().is_oriented(d)) return;  // see check_incident_arcs
     refuse(Code::missing_arc, *node.right_span, fmt::format("the right side creates `{}` without {} {}", node.name, half ? "an" : "a", missing_name(d, out, in)),
            {{*node.right_span, "this node is added here"}}, id, d,
            half ? missing_half_help(id, d, out) : fmt::format("give `{}` a {}-arc: in its decoration, or as `{} -{}- …`", node.name, d, node.name, d));
@@ -66,6 +67,7 @@ struct IncidentArcs {
     ir::Node const& node = rule.nodes[id];
     bool const out = left.out(id, d), in = left.in(id, d);
     if (out && in) return;
+    if ((out || in) && !rule.model().is_oriented(d)) return;  // see check_incident_arcs
     refuse(Code::dangling_node, *node.left_span, fmt::format("the rule deletes `{}`, but the left side does not match its {}", node.name, missing_name(d, out, in)),
            {{*node.left_span, "this node is not on the right side"}}, id, d,
            fmt::format("an unmatched {}-arc of a deleted dart would be left dangling", d));
@@ -73,6 +75,8 @@ struct IncidentArcs {
 
   void check_preserved(ir::NodeId id, int d) {
     ir::Node const& node = rule.nodes[id];
+    bool const none_before = !left.out(id, d) && !left.in(id, d), half_after = !right.out(id, d) != !right.in(id, d);
+    if (none_before && half_after && !rule.model().is_oriented(d)) return;  // see check_incident_arcs
     bool const out_differs = !left.out(id, d) != !right.out(id, d), in_differs = !left.in(id, d) != !right.in(id, d);
     for (bool const outgoing : {true, false}) {
       if (!(outgoing ? out_differs : in_differs)) continue;
@@ -95,6 +99,8 @@ struct IncidentArcs {
 
 }  // namespace
 
+// Where a node has one half of a non-oriented arc, an arc was written that lacks its reverse: the non-orientation condition
+// refuses that arc, and says so at the arc (J0311, J0312).
 Refusals check_incident_arcs(ir::RuleScheme const& rule) {
   IncidentArcs check{rule};
   for (ir::NodeId id = 0; id < rule.nodes.size(); ++id) {

@@ -7,7 +7,8 @@
 namespace jrule::analysis {
 
 /// Each added (deleted) arc of a non-oriented dimension has a reverse that is added (deleted) too, its word equal on the
-/// pattern to the conjugate. A single arc may stand only if it is preserved. The rule must satisfy the incident-arcs condition.
+/// pattern to the conjugate. A single arc may stand only if it is preserved. A node may still
+/// have a wrong number of arcs: then the first ones count.
 Refusals check_non_orientation(ir::RuleScheme const& rule, algebra::Group const& group, PatternWords const& words);
 
 }  // namespace jrule::analysis

@@ -3,7 +3,7 @@
 namespace jrule::analysis {
 
 Placement::Placement(ir::RuleScheme const& rule, algebra::Group const& group)
-    : rule_(rule), group_(group), hook_(rule.nodes.size(), 0), offset_(rule.nodes.size()) {
+    : rule_(rule), group_(group), hook_(rule.nodes.size(), 0), offset_(rule.nodes.size()), evidence_(rule.nodes.size()) {
   std::vector<bool> placed(rule.nodes.size(), false);
   for (std::size_t h = 0; h < rule.hooks.size(); ++h) {
     placed[rule.hooks[h]] = true;
@@ -20,12 +20,15 @@ Placement::Placement(ir::RuleScheme const& rule, algebra::Group const& group)
   bool changed = true;
   while (changed) {
     changed = false;
-    for (ir::Arc const& arc : rule.left.arcs) {
+    for (ArcIndex index = 0; index < rule.left.arcs.size(); ++index) {
+      ir::Arc const& arc = rule.left.arcs[index];
       auto const d = static_cast<std::uint8_t>(arc.dimension);
       if (placed[arc.source] && !placed[arc.target]) {
         place(arc.target, arc.source, group_.inverse(arc.word), {d, false});
+        evidence_[arc.target] = {arc.target, index, true};
       } else if (!placed[arc.source] && placed[arc.target]) {
         place(arc.source, arc.target, arc.word, {d, rule.model().is_oriented(arc.dimension)});
+        evidence_[arc.source] = {arc.source, index, false};
       } else {
         continue;
       }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compiler/algebra/group.h"
+#include "compiler/analysis/evidence.h"
 #include "compiler/ir/rule_scheme.h"
 
 namespace jrule::analysis {
@@ -19,6 +20,8 @@ class Placement {
   std::size_t hook(ir::NodeId node) const { return hook_[node]; }
   /// x_s; none if it depends on letters that a further hook does not carry.
   std::optional<Word> const& offset(ir::NodeId node) const { return offset_[node]; }
+  /// How a node got its place; none for hooks and added nodes.
+  std::optional<PlacementEvidence> const& evidence(ir::NodeId node) const { return evidence_[node]; }
   /// τ_h(w).
   std::optional<Word> translate(std::size_t hook, Word const& word) const;
   /// Does m(u, s)·d = m(u·w, t) hold in every map once the hooks are placed?
@@ -29,6 +32,7 @@ class Placement {
   algebra::Group const& group_;
   std::vector<std::size_t> hook_;
   std::vector<std::optional<Word>> offset_;
+  std::vector<std::optional<PlacementEvidence>> evidence_;
 };
 
 }  // namespace jrule::analysis

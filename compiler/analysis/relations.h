@@ -18,6 +18,7 @@ struct Relation {
   Word word;            ///< in normal form, not ε
   std::string reason;   ///< "the left arc from `a` to itself with dimension 2"
   source::Span span;    ///< of the arc, or of one of them
+  RelationEvidence evidence;
 };
 
 /// How a word is shown to act as ε on the pattern: from it, step by step, to ε. In each step the word is p·q, p leading from
@@ -41,6 +42,8 @@ class PatternWords {
   std::vector<Relation> const& relations() const { return relations_; }
   /// Is the pattern closed under this dimension?
   bool closed_under(int dimension) const { return ((closed_ >> dimension) & 1U) != 0; }
+  /// Why, for each such dimension, in an order in which each needs only those before it.
+  std::vector<ClosureEvidence> const& closure() const { return closure_; }
   /// Is every letter of the word such a dimension? Then it leads from the pattern into the pattern.
   bool stays_in_pattern(Word const& word) const;
 
@@ -51,14 +54,14 @@ class PatternWords {
   bool equal(Word const& a, Word const& b) const { return trivial(group_.product(a, group_.inverse(b))); }
 
  private:
-  void add(Word word, std::string reason, source::Span span);
+  void add(Word word, std::string reason, source::Span span, RelationEvidence evidence);
   void add_arcs(ir::RuleScheme const& rule, Placement const& placement);
   void add_cycles(ir::RuleScheme const& rule);
-  void add_further_hooks(ir::RuleScheme const& rule);
   void close(ir::RuleScheme const& rule);
 
   algebra::Group const& group_;
   std::vector<Relation> relations_;
+  std::vector<ClosureEvidence> closure_;
   std::uint16_t closed_ = 0;  // bit d: P is closed under d
 };
 

@@ -35,7 +35,8 @@ void PrintTo(Outcome const& outcome, std::ostream* out) {
   *out << outcome.map.substr(0, 4000);
 }
 
-Outcome interpret(Module::Rule const& rule, Map map, std::vector<Dart> const& hooks, std::vector<Value> const& arguments) {
+Outcome interpret(Module::Rule const& rule, Map map, std::vector<Dart> const& hooks,
+                  std::vector<Value> const& arguments) {
   rewrite::Workspace workspace;
   Outcome outcome;
   if (auto const applied = interpreter::apply(rule.scheme, rule.plan, map, hooks, arguments, workspace)) {

@@ -1,12 +1,12 @@
 // A rule applied by the interpreter and by its generated function, to equal maps: do they agree?
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "compiler/analysis/analyze.h"
 #include "compiler/ir/rule_scheme.h"
@@ -33,15 +33,16 @@ class Module {
 
 /// What an application came to, in a form that can be compared.
 struct Outcome {
-  std::string error;                        ///< empty if it was applied
-  std::vector<std::vector<Dart>> copies;    ///< of the right nodes, in the order of the rule's nodes
+  std::string error{};                      ///< empty if it was applied
+  std::vector<std::vector<Dart>> copies{};  ///< of the right nodes, in the order of the rule's nodes
   std::size_t count = 0;                    ///< of apply_everywhere
-  std::string map;                          ///< the result as .jmap text
+  std::string map{};                        ///< the result as .jmap text
   bool operator==(Outcome const&) const = default;
 };
 void PrintTo(Outcome const& outcome, std::ostream* out);
 
-Outcome interpret(Module::Rule const& rule, Map map, std::vector<Dart> const& hooks, std::vector<Value> const& arguments);
+Outcome interpret(Module::Rule const& rule, Map map, std::vector<Dart> const& hooks,
+                  std::vector<Value> const& arguments);
 Outcome interpret_everywhere(Module::Rule const& rule, Map map, std::vector<Value> const& arguments);
 
 /// Gives every orbit of every embedding a value of its own, so that equal values cannot hide a mistake.

@@ -32,7 +32,11 @@ Map read(std::string const& file) {
 }
 
 // The columns of a result, by the names of its nodes.
-#define COPIES(...) [](auto const& result) { auto const& c = result.copies; return std::vector<std::vector<Dart>>{__VA_ARGS__}; }
+#define COPIES(...)                                     \
+  [](auto const& result) {                              \
+    auto const& c = result.copies;                      \
+    return std::vector<std::vector<Dart>>{__VA_ARGS__}; \
+  }
 auto const none = [](auto const&) { return std::vector<std::vector<Dart>>{}; };
 
 void expect_valid(Outcome const& outcome) {
@@ -55,7 +59,9 @@ TEST_F(Paper, QuadSubdivision) {
     Map const start = read<Surface>(file);
     Outcome const expected = interpret(module.rule("quad_subdivision"), start, {0}, {});
     EXPECT_EQ(expected.error, "");
-    EXPECT_EQ(generated<Surface>(start, [](Surface& s) { return paper::rules::quad_subdivision(s, 0); }, COPIES(c.a, c.b, c.c, c.d)), expected);
+    EXPECT_EQ(generated<Surface>(
+                  start, [](Surface& s) { return paper::rules::quad_subdivision(s, 0); }, COPIES(c.a, c.b, c.c, c.d)),
+              expected);
     expect_valid(expected);
   }
 }
@@ -66,7 +72,8 @@ TEST_F(Paper, QuadSubdivisionOfALargeMesh) {
   for (int i = 0; i < 4; ++i) ASSERT_TRUE(paper::rules::quad_subdivision(*modeler, 0));
   Map const start = modeler->map();
   EXPECT_EQ(start.dart_count(), 48U * 256U);
-  EXPECT_EQ(generated<Surface>(start, [](Surface& s) { return paper::rules::quad_subdivision(s, 5); }, COPIES(c.a, c.b, c.c, c.d)),
+  EXPECT_EQ(generated<Surface>(
+                start, [](Surface& s) { return paper::rules::quad_subdivision(s, 5); }, COPIES(c.a, c.b, c.c, c.d)),
             interpret(module.rule("quad_subdivision"), start, {5}, {}));
 }
 
@@ -74,7 +81,9 @@ TEST_F(Paper, QuadSubdivisionEverywhere) {
   Map const start = read<Surface>("grid.ply");
   Outcome const expected = interpret_everywhere(module.rule("quad_subdivision"), start, {});
   EXPECT_EQ(expected.count, summarize(start).components);
-  EXPECT_EQ(generated_everywhere<Surface>(start, [](Surface& s) { return paper::rules::quad_subdivision_everywhere(s); }), expected);
+  EXPECT_EQ(
+      generated_everywhere<Surface>(start, [](Surface& s) { return paper::rules::quad_subdivision_everywhere(s); }),
+      expected);
 }
 
 TEST_F(Paper, ResultsAreNamedByNodes) {
@@ -94,7 +103,13 @@ TEST_F(Paper, ConeIsRefusedOnAClosedSurface) {
   Outcome const expected = interpret(module.rule("cone"), start, {0}, {jrule::Point3{1, 2, 3}});
   EXPECT_NE(expected.error, "");
   EXPECT_EQ(expected.map, print_jmap(start));
-  EXPECT_EQ(generated<Surface>(start, [](Surface& s) { return paper::rules::cone(s, 0, {1, 2, 3}); }, none), expected);
+  EXPECT_EQ(generated<Surface>(
+                start,
+                [](Surface& s) {
+                  return paper::rules::cone(s, 0, {1, 2, 3});
+                },
+                none),
+            expected);
 }
 
 // Six squares: those of the cube, each alone.
@@ -115,12 +130,22 @@ TEST_F(Paper, ConeOnSquares) {
   for (Dart const d : {0U, 13U, 47U}) {
     Outcome const expected = interpret(module.rule("cone"), start, {d}, {jrule::Point3{1, 2, 3}});
     EXPECT_EQ(expected.error, "");
-    EXPECT_EQ(generated<Surface>(start, [&](Surface& s) { return paper::rules::cone(s, d, {1, 2, 3}); }, COPIES(c.a, c.b, c.c, c.d)), expected);
+    EXPECT_EQ(generated<Surface>(
+                  start,
+                  [&](Surface& s) {
+                    return paper::rules::cone(s, d, {1, 2, 3});
+                  },
+                  COPIES(c.a, c.b, c.c, c.d)),
+              expected);
     expect_valid(expected);
   }
   Outcome const expected = interpret_everywhere(module.rule("cone"), start, {jrule::Point3{1, 2, 3}});
   EXPECT_EQ(expected.count, 6U);
-  EXPECT_EQ(generated_everywhere<Surface>(start, [](Surface& s) { return paper::rules::cone_everywhere(s, {1, 2, 3}); }), expected);
+  EXPECT_EQ(generated_everywhere<Surface>(start,
+                                          [](Surface& s) {
+                                            return paper::rules::cone_everywhere(s, {1, 2, 3});
+                                          }),
+            expected);
 }
 
 // Every pair of darts as hooks, also one that is no dart.
@@ -131,7 +156,9 @@ TEST_F(Paper, SewOfEveryPair) {
     for (Dart b = 0; b <= start.dart_limit(); b += 3) {
       Outcome const expected = interpret(module.rule("sew2"), start, {a, b}, {});
       applied += expected.error.empty() ? 1U : 0U;
-      ASSERT_EQ(generated<Surface>(start, [&](Surface& s) { return paper::rules::sew2(s, a, b); }, COPIES(c.a, c.b)), expected);
+      ASSERT_EQ(generated<Surface>(
+                    start, [&](Surface& s) { return paper::rules::sew2(s, a, b); }, COPIES(c.a, c.b)),
+                expected);
     }
   }
   EXPECT_GT(applied, 10U);
@@ -147,12 +174,16 @@ TEST(Halfedges, AgreesWithTheInterpreter) {
     Outcome const subdivided = interpret(module.rule("quad_subdivision"), start, {2}, {});
     EXPECT_EQ(subdivided.error, "");
     expect_valid(subdivided);
-    EXPECT_EQ(generated<Halfedges>(start, [](Halfedges& h) { return halfedges::quad_subdivision(h, 2); }, COPIES(c.a, c.b, c.c, c.d)), subdivided);
+    EXPECT_EQ(generated<Halfedges>(
+                  start, [](Halfedges& h) { return halfedges::quad_subdivision(h, 2); }, COPIES(c.a, c.b, c.c, c.d)),
+              subdivided);
     Outcome const reversed = interpret(module.rule("reverse"), start, {0}, {});
     EXPECT_EQ(reversed.error, "");
     EXPECT_NE(reversed.map, print_jmap(start));
     expect_valid(reversed);
-    EXPECT_EQ(generated<Halfedges>(start, [](Halfedges& h) { return halfedges::reverse(h, 0); }, COPIES(c.a)), reversed);
+    EXPECT_EQ(generated<Halfedges>(
+                  start, [](Halfedges& h) { return halfedges::reverse(h, 0); }, COPIES(c.a)),
+              reversed);
   }
 }
 
@@ -173,7 +204,8 @@ class Changes : public testing::Test {
         ++applied;
         expect_valid(expected);
       }
-      Outcome const found = generated<Field>(start, [&](Field& f) { return rule(f, a); }, copies);
+      Outcome const found = generated<Field>(
+          start, [&](Field& f) { return rule(f, a); }, copies);
       EXPECT_EQ(found, expected) << name << " at " << a;
       if (found != expected) return applied;
     }
@@ -185,43 +217,61 @@ TEST_F(Changes, Creation) {
   Map const start = squares();
   Outcome const expected = interpret(module.rule("square"), start, {}, {0.25});
   expect_valid(expected);
-  Outcome found = generated<Field>(start, [](Field& f) { return changes::square(f, 0.25); }, [](changes::SquareResult const& r) {
-    return std::vector<std::vector<Dart>>{{r.a}, {r.b}, {r.c}, {r.d}, {r.e}, {r.f}, {r.g}, {r.h}};
-  });
+  Outcome found = generated<Field>(
+      start, [](Field& f) { return changes::square(f, 0.25); },
+      [](changes::SquareResult const& r) {
+        return std::vector<std::vector<Dart>>{{r.a}, {r.b}, {r.c}, {r.d}, {r.e}, {r.f}, {r.g}, {r.h}};
+      });
   EXPECT_EQ(found, expected);
-  EXPECT_EQ(generated<Field>(start, [](Field& f) { return changes::square(f); }, none).map, interpret(module.rule("square"), start, {}, {2.0}).map);
+  EXPECT_EQ(generated<Field>(
+                start, [](Field& f) { return changes::square(f); }, none)
+                .map,
+            interpret(module.rule("square"), start, {}, {2.0}).map);
 }
 
 TEST_F(Changes, MergesByEveryPolicy) {
   Map start = squares();
   jrule::test::number_values(start);
-  Outcome found, expected{.map = print_jmap(start)};
   auto modeler = Field::from_map(start);
-  Map interpreted = start;
-  jrule::rewrite::Workspace workspace;
   // A strip, then a ring; the last one is refused: its edges are not free any more.
   std::pair<Dart, Dart> const pairs[] = {{0, 8}, {12, 21}, {16, 24}, {30, 7}, {0, 8}, {1, 1}};
   std::vector<bool> applied;
   for (auto const& [a, b] : pairs) {
-    expected = interpret(module.rule("sew"), modeler->map(), {a, b}, {});
-    found = generated<Field>(modeler->map(), [&, a = a, b = b](Field& f) { return changes::sew(f, a, b); }, COPIES(c.a, c.b));
-    EXPECT_EQ(found, expected);
+    Outcome const expected = interpret(module.rule("sew"), modeler->map(), {a, b}, {});
+    EXPECT_EQ(generated<Field>(
+                  modeler->map(), [a = a, b = b](Field& f) { return changes::sew(f, a, b); }, COPIES(c.a, c.b)),
+              expected);
     expect_valid(expected);
     applied.push_back(changes::sew(*modeler, a, b).has_value());
   }
   EXPECT_EQ(applied, (std::vector<bool>{true, true, true, true, false, false}));
-  EXPECT_EQ(at_every_dart("unsew", modeler->map(), [](Field& f, Dart a) { return changes::unsew(f, a); }, COPIES(c.a, c.b)), 16U);
+  EXPECT_EQ(at_every_dart(
+                "unsew", modeler->map(), [](Field& f, Dart a) { return changes::unsew(f, a); }, COPIES(c.a, c.b)),
+            16U);
 }
 
 TEST_F(Changes, AtEveryDart) {
   for (char const* file : {"cube.obj", "grid.ply"}) {
     Map const start = read<Field>(file);
-    EXPECT_GT(at_every_dart("insert_vertex", start, [](Field& f, Dart a) { return changes::insert_vertex(f, a); }, COPIES(c.a, c.b)), 0U);
-    EXPECT_GT(at_every_dart("triangulate_face", start, [](Field& f, Dart a) { return changes::triangulate_face(f, a); }, COPIES(c.a, c.b, c.c)), 0U);
-    EXPECT_GT(at_every_dart("unsew", start, [](Field& f, Dart a) { return changes::unsew(f, a); }, COPIES(c.a, c.b)), 0U);
-    EXPECT_GT(at_every_dart("remove_component", start, [](Field& f, Dart a) { return changes::remove_component(f, a); }, none), 0U);
-    EXPECT_EQ(at_every_dart("remove_dart", start, [](Field& f, Dart a) { return changes::remove_dart(f, a); }, none), 0U);
-    at_every_dart("is_edge_free", start, [](Field& f, Dart a) { return changes::is_edge_free(f, a); }, COPIES(c.a));
+    EXPECT_GT(
+        at_every_dart(
+            "insert_vertex", start, [](Field& f, Dart a) { return changes::insert_vertex(f, a); }, COPIES(c.a, c.b)),
+        0U);
+    EXPECT_GT(at_every_dart(
+                  "triangulate_face", start, [](Field& f, Dart a) { return changes::triangulate_face(f, a); },
+                  COPIES(c.a, c.b, c.c)),
+              0U);
+    EXPECT_GT(at_every_dart(
+                  "unsew", start, [](Field& f, Dart a) { return changes::unsew(f, a); }, COPIES(c.a, c.b)),
+              0U);
+    EXPECT_GT(at_every_dart(
+                  "remove_component", start, [](Field& f, Dart a) { return changes::remove_component(f, a); }, none),
+              0U);
+    EXPECT_EQ(at_every_dart(
+                  "remove_dart", start, [](Field& f, Dart a) { return changes::remove_dart(f, a); }, none),
+              0U);
+    at_every_dart(
+        "is_edge_free", start, [](Field& f, Dart a) { return changes::is_edge_free(f, a); }, COPIES(c.a));
   }
 }
 
@@ -230,20 +280,29 @@ TEST_F(Changes, DeletionReusesDarts) {
   auto modeler = Field::from_map(start);
   ASSERT_TRUE(changes::insert_vertex_everywhere(*modeler));
   EXPECT_EQ(modeler->map().dart_count(), 96U);
-  EXPECT_GT(at_every_dart("remove_vertex", modeler->map(), [](Field& f, Dart b) { return changes::remove_vertex(f, b); }, COPIES(c.a, c.d)), 0U);
+  EXPECT_GT(at_every_dart(
+                "remove_vertex", modeler->map(), [](Field& f, Dart b) { return changes::remove_vertex(f, b); },
+                COPIES(c.a, c.d)),
+            0U);
   Outcome const expected = interpret_everywhere(module.rule("remove_vertex"), modeler->map(), {});
-  EXPECT_EQ(generated_everywhere<Field>(modeler->map(), [](Field& f) { return changes::remove_vertex_everywhere(f); }), expected);
+  EXPECT_EQ(generated_everywhere<Field>(modeler->map(), [](Field& f) { return changes::remove_vertex_everywhere(f); }),
+            expected);
   // What was deleted is used again, in the same order by both.
   ASSERT_TRUE(changes::remove_vertex_everywhere(*modeler));
   EXPECT_LT(modeler->map().dart_count(), modeler->map().dart_limit());
-  EXPECT_GT(at_every_dart("triangulate_face", start, [](Field& f, Dart a) { return changes::triangulate_face(f, a); }, COPIES(c.a, c.b, c.c)), 0U);
+  EXPECT_GT(at_every_dart(
+                "triangulate_face", start, [](Field& f, Dart a) { return changes::triangulate_face(f, a); },
+                COPIES(c.a, c.b, c.c)),
+            0U);
 }
 
 TEST_F(Changes, DeletesALoneDart) {
   Map start(Field::model(), Field::embeddings());
   start.add_darts(3);
   jrule::test::number_values(start);
-  EXPECT_EQ(at_every_dart("remove_dart", start, [](Field& f, Dart a) { return changes::remove_dart(f, a); }, none), 3U);
+  EXPECT_EQ(at_every_dart(
+                "remove_dart", start, [](Field& f, Dart a) { return changes::remove_dart(f, a); }, none),
+            3U);
 }
 
 // ---- Values ----
@@ -259,36 +318,52 @@ TEST_F(Values, Shuffle) {
   for (double const t : {0.0, 0.3, 0.999, -0.5, 2.0}) {
     for (bool const strict : {true, false}) {
       jrule::Vec3 const shift{0.25, t, -1};
-      Outcome const expected = interpret(module.rule("shuffle"), start, {4}, {t, shift, std::int64_t{3}, strict, jrule::Point2{t, 1}});
+      Outcome const expected =
+          interpret(module.rule("shuffle"), start, {4}, {t, shift, std::int64_t{3}, strict, jrule::Point2{t, 1}});
       EXPECT_EQ(expected.error.empty(), !strict || (t >= 0 && t < 1)) << expected.error;
-      EXPECT_EQ(generated<All>(start, [&](All& all) { return values::shuffle(all, 4, t, shift, 3, strict, {t, 1}); }, COPIES(c.a)), expected);
+      EXPECT_EQ(generated<All>(
+                    start,
+                    [&](All& all) {
+                      return values::shuffle(all, 4, t, shift, 3, strict, {t, 1});
+                    },
+                    COPIES(c.a)),
+                expected);
     }
   }
-  Outcome const expected = interpret_everywhere(module.rule("shuffle"), start, {0.4, jrule::Vec3{0, 0.1, 0}, std::int64_t{2}, true, jrule::Point2{}});
+  Outcome const expected = interpret_everywhere(module.rule("shuffle"), start,
+                                                {0.4, jrule::Vec3{0, 0.1, 0}, std::int64_t{2}, true, jrule::Point2{}});
   EXPECT_EQ(expected.count, summarize(start).cells[0]);
   EXPECT_EQ(generated_everywhere<All>(start, [](All& all) { return values::shuffle_everywhere(all, 0.4); }), expected);
-  EXPECT_NE(interpret(module.rule("shuffle"), start, {4}, {0.5, jrule::Vec3{}, std::int64_t{100}, true, jrule::Point2{}}).error, "");
+  EXPECT_NE(
+      interpret(module.rule("shuffle"), start, {4}, {0.5, jrule::Vec3{}, std::int64_t{100}, true, jrule::Point2{}})
+          .error,
+      "");
 }
 
 TEST_F(Values, PaintIntegersAndComparisons) {
   EXPECT_EQ(generated_everywhere<All>(start, [](All& all) { return values::paint_everywhere(all); }),
             interpret_everywhere(module.rule("paint"), start, {}));
-  for (std::int64_t const big : {std::int64_t{3}, std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()}) {
+  for (std::int64_t const big :
+       {std::int64_t{3}, std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()}) {
     EXPECT_EQ(generated_everywhere<All>(start, [&](All& all) { return values::wrap_everywhere(all, big); }),
               interpret_everywhere(module.rule("wrap"), start, {big}));
   }
   Outcome const never = interpret(module.rule("never"), start, {0}, {});
   EXPECT_NE(never.error, "");
-  EXPECT_EQ(generated<All>(start, [](All& all) { return values::never(all, 0); }, none), never);
+  EXPECT_EQ(generated<All>(
+                start, [](All& all) { return values::never(all, 0); }, none),
+            never);
   auto const all = All::from_map(start);
   std::size_t holds = 0;
   for (Dart const d : start.darts()) {
     jrule::Vec3 const v = all->normal(d % 2 == 0 ? d : 0);
     jrule::Point3 const p = all->position(d % 3 == 0 ? d : 0);
-    jrule::Color const c = all->color(d % 5 == 0 ? d : 0);
-    Outcome const expected = interpret(module.rule("compare"), start, {d}, {v, p, c});
+    jrule::Color const color = all->color(d % 5 == 0 ? d : 0);
+    Outcome const expected = interpret(module.rule("compare"), start, {d}, {v, p, color});
     holds += expected.error.empty() ? 1U : 0U;
-    EXPECT_EQ(generated<All>(start, [&](All& a) { return values::compare(a, d, v, p, c); }, COPIES(c.a)), expected);
+    EXPECT_EQ(generated<All>(
+                  start, [&](All& a) { return values::compare(a, d, v, p, color); }, COPIES(c.a)),
+              expected);
   }
   EXPECT_GT(holds, 0U);
   EXPECT_LT(holds, start.dart_count());
@@ -307,9 +382,11 @@ TEST(Names, WorkAsWritten) {
   }
   jrule::test::number_values(start);
   std::vector<jrule::Value> const arguments{1.5, jrule::Point3{1, 2, 3}, std::int64_t{4}, true, 0.0, jrule::Vec3{}};
-  EXPECT_EQ(generated<Workspace>(start, [](Workspace& w) { return names::k(w, 9); }, COPIES(c.delete_, c.std, c.copies_, c.KResult_)),
+  EXPECT_EQ(generated<Workspace>(
+                start, [](Workspace& w) { return names::k(w, 9); }, COPIES(c.delete_, c.std, c.copies_, c.KResult_)),
             interpret(module.rule("k"), start, {9}, arguments));
-  EXPECT_EQ(generated<Workspace>(start, [](Workspace& w) { return names::commit(w, 0, 8, 1, 2); }, COPIES(c.class_, c.int_)),
+  EXPECT_EQ(generated<Workspace>(
+                start, [](Workspace& w) { return names::commit(w, 0, 8, 1, 2); }, COPIES(c.class_, c.int_)),
             interpret(module.rule("commit"), start, {0, 8}, {std::int64_t{1}, std::int64_t{2}}));
 }
 
@@ -317,14 +394,22 @@ TEST(Modules, ImportedModelersAndBareModels) {
   Module const ops_module(rules + "/ops.jrule"), base_module(rules + "/base.jrule");
   base::Solid solid;
   ASSERT_TRUE(base::polygon_corner(solid));
-  EXPECT_EQ(generated<base::Solid>(base::Solid().map(), [](base::Solid& s) { return base::polygon_corner(s); }, none).map,
+  EXPECT_EQ(generated<base::Solid>(
+                base::Solid().map(), [](base::Solid& s) { return base::polygon_corner(s); }, none)
+                .map,
             interpret(base_module.rule("polygon_corner"), base::Solid().map(), {}, {}).map);
-  EXPECT_EQ(generated<base::Solid>(solid.map(), [](base::Solid& s) { return ops::extrude(s, 0, {0, 0, 1}); }, COPIES(c.a, c.b, c.c, c.d, c.e, c.f)),
+  EXPECT_EQ(generated<base::Solid>(
+                solid.map(),
+                [](base::Solid& s) {
+                  return ops::extrude(s, 0, {0, 0, 1});
+                },
+                COPIES(c.a, c.b, c.c, c.d, c.e, c.f)),
             interpret(ops_module.rule("extrude"), solid.map(), {0}, {jrule::Vec3{0, 0, 1}}));
   ops::Gmap3 bare;
   ASSERT_TRUE(ops::beam(bare));
   ASSERT_TRUE(ops::beam(bare));
-  EXPECT_EQ(generated<ops::Gmap3>(bare.map(), [](ops::Gmap3& m) { return ops::sew3(m, 0, 2); }, COPIES(c.a, c.b)),
+  EXPECT_EQ(generated<ops::Gmap3>(
+                bare.map(), [](ops::Gmap3& m) { return ops::sew3(m, 0, 2); }, COPIES(c.a, c.b)),
             interpret(ops_module.rule("sew3"), bare.map(), {0, 2}, {}));
 }
 
@@ -337,7 +422,8 @@ TEST(Class, ReadsWritesAndChangesValues) {
   EXPECT_EQ(surface->cells(2).size(), 6U);
   jrule::Point3 const before = surface->position(0);
   surface->set_position(0, {9, 9, 9});
-  for (Dart const d : orbit(surface->map(), jrule::orbit_of_dimensions({1, 2}), 0)) EXPECT_EQ(surface->position(d), (jrule::Point3{9, 9, 9}));
+  for (Dart const d : orbit(surface->map(), jrule::orbit_of_dimensions({1, 2}), 0))
+    EXPECT_EQ(surface->position(d), (jrule::Point3{9, 9, 9}));
   EXPECT_NE(surface->position(surface->map().target(0, 0)), (jrule::Point3{9, 9, 9}));
   EXPECT_NE(before, surface->position(0));
   surface->set_color(0, {0, 0, 1});

@@ -23,7 +23,7 @@ struct Case {
 std::ostream& operator<<(std::ostream& out, Case const& c);
 
 /// RapidCheck shrinks a case by leaving out mutations. It draws the same cases each time: as many as JRULE_CASES says (else
-/// 3000), from the seed JRULE_SEED (else 1); RC_PARAMS overrides both.
+/// 8000), from the seed JRULE_SEED (else 1); RC_PARAMS overrides both.
 rc::Gen<Case> cases();
 int case_count();
 

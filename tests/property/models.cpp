@@ -56,6 +56,10 @@ std::shared_ptr<ir::Modeler const> embedded(Model const& model) {
   add("dart", orbit_of_dimensions({}));
   for (int const i : model.dimensions) add("arc" + std::to_string(i), orbit_of_dimensions({i}));
   add("component", component_orbit(model));
+  if (model.dimensions.size() > 1) {
+    auto const first = static_cast<std::uint8_t>(model.dimensions[0]), last = static_cast<std::uint8_t>(model.dimensions.back());
+    add("there_and_on", OrbitType{{{{first, false}, {last, false}}}});
+  }
   return modeler;
 }
 

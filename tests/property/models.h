@@ -13,7 +13,8 @@ std::vector<Model> const& models();
 
 /// A modeler without embeddings.
 std::shared_ptr<ir::Modeler const> bare(Model const& model);
-/// One with an Int on each cell, and on the orbits of some dimensions; each value has a default and merges by `first`.
+/// One with an Int on each cell, and on orbits of some dimensions and of a word of two letters; each has a default and merges by
+/// `first`.
 std::shared_ptr<ir::Modeler const> embedded(Model const& model);
 
 }  // namespace jrule::property

@@ -323,6 +323,18 @@ struct Mutation {
   }
 };
 
+/// As sema has it: a hook's decoration has no `_`, and the first hook's is its type.
+bool hooks_are_full(ir::RuleScheme const& rule) {
+  return std::all_of(rule.hooks.begin(), rule.hooks.end(), [&](ir::NodeId hook) {
+    return std::all_of(rule.hook_type.begin(), rule.hook_type.end(), [&](Letter op) {
+      return std::any_of(rule.left.arcs.begin(), rule.left.arcs.end(), [&](ir::Arc const& arc) {
+        return arc.source == hook && arc.target == hook && arc.word.size() == 1 && arc.word[0].dimension == op.dimension &&
+               (hook != rule.hooks[0] || (arc.dimension == op.dimension && arc.word[0] == op));
+      });
+    });
+  });
+}
+
 }  // namespace
 
 ir::RuleScheme mutate(ir::RuleScheme const& rule, Random& random) {
@@ -330,7 +342,7 @@ ir::RuleScheme mutate(ir::RuleScheme const& rule, Random& random) {
     Mutation mutation{rule, random};
     if (!mutation.run()) continue;
     if (random.chance(70)) mutation.repair_incident_arcs();
-    if (ir::verify(mutation.rule)) continue;
+    if (ir::verify(mutation.rule) || (!hooks_are_full(mutation.rule) && !random.chance(5))) continue;
     renumber_spans(mutation.rule);
     return std::move(mutation.rule);
   }

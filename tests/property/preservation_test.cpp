@@ -66,7 +66,7 @@ void check_accepted(std::string const& property, std::shared_ptr<ir::Modeler con
 bool claims_a_broken_map(analysis::Verdict const& verdict) {
   for (auto const& refusal : verdict.refusals) {
     std::string const number(source::info(refusal.diagnostic.code).number);
-    if (number == "J0301" || number == "J0303" || number.starts_with("J033") && number != "J0333") return false;
+    if (number == "J0301" || number == "J0303" || (number.starts_with("J033") && number != "J0333")) return false;
   }
   return !verdict.accepted();
 }

@@ -12,7 +12,9 @@ using Kind = analysis::OrbitComponent::Kind;
 namespace {
 
 // "3 * n"; "n" for 1.
-std::string times(std::size_t count, std::string const& size) { return count == 1 ? size : fmt::format("{} * {}", count, size); }
+std::string times(std::size_t count, std::string const& size) {
+  return count == 1 ? size : fmt::format("{} * {}", count, size);
+}
 
 bool visits_orbits(Function const& f) {
   for (auto const& component : f.plan.orbits) {
@@ -36,16 +38,20 @@ void write_reserve(Writer& out, Function const& f) {
   }
   if (!f.plan.deleted.empty()) out.line("{}.reserve_erase({});", f.map, times(f.plan.deleted.size(), f.size));
   if (visits_orbits(f)) {
-    out.line("{}.reserve({}.dart_limit(){});", f.workspace, f.map, f.plan.added.empty() ? "" : " + " + times(f.plan.added.size(), f.size));
+    out.line("{}.reserve({}.dart_limit(){});", f.workspace, f.map,
+             f.plan.added.empty() ? "" : " + " + times(f.plan.added.size(), f.size));
   }
   if (f.plan.added.empty()) return;
   std::string columns;
-  for (ir::NodeId const id : f.plan.added) columns += fmt::format("{}{}({})", columns.empty() ? "" : ", ", f.darts[id], f.size);
+  for (ir::NodeId const id : f.plan.added)
+    columns += fmt::format("{}{}({})", columns.empty() ? "" : ", ", f.darts[id], f.size);
   out.line("std::vector<jrule::Dart> {};", columns);
-  out.line("std::vector<jrule::Dart> const {} = {}.add_darts({});", f.local("added"), f.map, times(f.plan.added.size(), f.size));
+  out.line("std::vector<jrule::Dart> const {} = {}.add_darts({});", f.local("added"), f.map,
+           times(f.plan.added.size(), f.size));
   out.open("{} {{", f.loop());
   for (std::size_t i = 0; i < f.plan.added.size(); ++i) {
-    out.line("{} = {}[{}{}];", f.dart(f.plan.added[i]), f.local("added"), i == 0 ? "" : times(i, f.size) + " + ", f.index);
+    out.line("{} = {}[{}{}];", f.dart(f.plan.added[i]), f.local("added"), i == 0 ? "" : times(i, f.size) + " + ",
+             f.index);
   }
   out.close();
 }
@@ -56,8 +62,10 @@ void write_arcs(Writer& out, Function const& f) {
     out.line("{} {}.erase({});", f.loop(), f.map, f.dart(id));
   }
   for (ir::Arc const& arc : f.plan.writes) {
-    out.line("// {}: {}", place(f.sources, arc.span), arc_text(f.rule, arc.source, arc.dimension, arc.word, arc.target));
-    out.line("{} {}.set_target({}, {}, {});", f.loop(), f.map, f.dart(arc.source), arc.dimension, f.dart(arc.target, arc.word));
+    out.line("// {}: {}", place(f.sources, arc.span),
+             arc_text(f.rule, arc.source, arc.dimension, arc.word, arc.target));
+    out.line("{} {}.set_target({}, {}, {});", f.loop(), f.map, f.dart(arc.source), arc.dimension,
+             f.dart(arc.target, arc.word));
   }
 }
 
@@ -65,9 +73,11 @@ void write_arcs(Writer& out, Function const& f) {
 void write_handles(Writer& out, Function const& f, std::size_t c) {
   auto const& component = f.plan.orbits[c];
   std::string const& embedding = f.embeddings[component.embedding];
-  std::string const handle = component.kind == Kind::fresh && !component.clause ? f.handles[c] : fmt::format("{}[{}]", f.handles[c], f.index);
+  std::string const handle =
+      component.kind == Kind::fresh && !component.clause ? f.handles[c] : fmt::format("{}[{}]", f.handles[c], f.index);
   ir::NodeId const root = component.members.front().node;
-  std::string const first = f.first(component), if_first = first.empty() ? "" : fmt::format("if ({0}[{1}] == {1}) ", first, f.index);
+  std::string const first = f.first(component),
+                    if_first = first.empty() ? "" : fmt::format("if ({0}[{1}] == {1}) ", first, f.index);
   switch (component.kind) {
     case Kind::fresh:
       for (auto const& member : component.members) {
@@ -78,8 +88,9 @@ void write_handles(Writer& out, Function const& f, std::size_t c) {
       for (std::size_t i = 0; i < component.sources.size(); ++i) {
         auto const& source = component.sources[i];
         // Matched darts still have their handles; where a walk led from them, it led before the arcs changed.
-        std::string const value = source.tail.empty() ? fmt::format("{}.handle({})", embedding, f.dart(source.preserved, source.word))
-                                                      : fmt::format("{}[{}]", f.inherited[c][i], f.index);
+        std::string const value = source.tail.empty()
+                                      ? fmt::format("{}.handle({})", embedding, f.dart(source.preserved, source.word))
+                                      : fmt::format("{}[{}]", f.inherited[c][i], f.index);
         out.line("{} {}.set_handle({}, {});", f.loop(), embedding, f.dart(source.added), value);
       }
       return;
@@ -87,8 +98,9 @@ void write_handles(Writer& out, Function const& f, std::size_t c) {
     case Kind::merge: {
       std::string const value = component.kind == Kind::assign ? handle + ", " : "";
       out.open("{} {{", f.loop());
-      out.line("{}jrule::rewrite::{}_orbit({}, {}, {}, {}{});", if_first, component.kind == Kind::assign ? "assign" : "merge", f.map,
-               component.embedding, f.dart(root), value, f.workspace);
+      out.line("{}jrule::rewrite::{}_orbit({}, {}, {}, {}{});", if_first,
+               component.kind == Kind::assign ? "assign" : "merge", f.map, component.embedding, f.dart(root), value,
+               f.workspace);
       out.close();
       return;
     }
@@ -107,7 +119,8 @@ void write_embeddings(Writer& out, Function const& f) {
       if (f.adds_values[component.embedding]) out.line("{}.commit();", f.new_values[component.embedding]);
     }
     // The marks remember which orbits have their value: two components may meet beyond the pattern.
-    if (new_group && (component.kind == Kind::assign || component.kind == Kind::merge)) out.line("{}.clear_marks();", f.workspace);
+    if (new_group && (component.kind == Kind::assign || component.kind == Kind::merge))
+      out.line("{}.clear_marks();", f.workspace);
     write_handles(out, f, c);
   }
 }
@@ -132,7 +145,8 @@ void write_result(Writer& out, Function const& f) {
 }  // namespace
 
 void write_commit(Writer& out, Function const& f) {
-  bool const changes = !f.plan.deleted.empty() || !f.plan.added.empty() || !f.plan.writes.empty() || !f.plan.orbits.empty();
+  bool const changes =
+      !f.plan.deleted.empty() || !f.plan.added.empty() || !f.plan.writes.empty() || !f.plan.orbits.empty();
   if (changes) {
     out.line();
     out.line("// ---- Room for all of it: the last part that may fail ----");

@@ -27,7 +27,8 @@ std::string remark(std::string const& doc) {
 }
 
 void declare_result(Writer& out, Function const& f) {
-  out.line("/// The darts of the right side of `{}`{}.", f.rule.name, f.rule.hooks.empty() ? "" : ", as copied for the dart that the first hook is given");
+  out.line("/// The darts of the right side of `{}`{}.", f.rule.name,
+           f.rule.hooks.empty() ? "" : ", as copied for the dart that the first hook is given");
   out.open("struct {} {{", f.names.result);
   std::vector<std::string> members;
   for (ir::NodeId id = 0; id < f.rule.nodes.size(); ++id) {
@@ -70,7 +71,10 @@ void document(Writer& out, Function const& f, bool hooks) {
   if (hooks) {
     for (std::string const& line : documentation(f.rule.doc)) out.text(line.empty() ? "///" : "/// " + line);
   } else {
-    out.line("/// Applies `{}` once for each {}-orbit, in the order of their smallest darts; orbits where it is not applicable", f.names.function, hook_type(f.rule));
+    out.line(
+        "/// Applies `{}` once for each {}-orbit, in the order of their smallest darts; orbits where it is not "
+        "applicable",
+        f.names.function, hook_type(f.rule));
     out.line("/// stay as they are.");
   }
   out.line("///");
@@ -83,15 +87,19 @@ void document(Writer& out, Function const& f, bool hooks) {
   }
   for (std::size_t p = 0; p < f.parameters.size(); ++p) {
     std::optional<Value> const& value = f.rule.parameters[p].default_value;
-    out.line("/// @param {}  {}{}", f.parameters[p], to_string(f.rule.parameters[p].type), value ? ", by default " + to_string(*value) : "");
+    out.line("/// @param {}  {}{}", f.parameters[p], to_string(f.rule.parameters[p].type),
+             value ? ", by default " + to_string(*value) : "");
   }
-  out.text(hooks ? "/// @return the darts of the right side; or why the rule is not applicable, and then nothing has changed"
-                 : "/// @return how often it was applied; the first refusal if nowhere, and then nothing has changed");
+  out.text(
+      hooks ? "/// @return the darts of the right side; or why the rule is not applicable, and then nothing has changed"
+            : "/// @return how often it was applied; the first refusal if nowhere, and then nothing has changed");
 }
 
 std::string signature(Function const& f, bool hooks, Defaults defaults, bool mark_unused) {
-  return hooks ? fmt::format("jrule::Result<{}> {}({})", f.names.result, f.names.function, parameter_list(f, true, defaults, mark_unused))
-               : fmt::format("jrule::Result<std::size_t> {}({})", f.names.everywhere, parameter_list(f, false, defaults, mark_unused));
+  return hooks ? fmt::format("jrule::Result<{}> {}({})", f.names.result, f.names.function,
+                             parameter_list(f, true, defaults, mark_unused))
+               : fmt::format("jrule::Result<std::size_t> {}({})", f.names.everywhere,
+                             parameter_list(f, false, defaults, mark_unused));
 }
 
 // Functions are `try` blocks as a whole: whatever they allocate, running out of memory leaves the map as it was.
@@ -124,8 +132,8 @@ void define_everywhere(Writer& out, Function const& f) {
   arguments.insert(arguments.end(), f.parameters.begin(), f.parameters.end());
   out.open("{} try {{", signature(f, false, Defaults::without, false));
   out.line("static jrule::OrbitType const {} = {};", f.local("orbit"), orbit_expression(type));
-  out.open("return jrule::rewrite::apply_everywhere({}.map(), {}, [&](jrule::Dart {}) -> jrule::Result<void> {{", f.modeler, f.local("orbit"),
-           f.hooks[0]);
+  out.open("return jrule::rewrite::apply_everywhere({}.map(), {}, [&](jrule::Dart {}) -> jrule::Result<void> {{",
+           f.modeler, f.local("orbit"), f.hooks[0]);
   out.line("auto const {} = {}({});", f.local("applied"), f.names.function, fmt::join(arguments, ", "));
   out.line("if (!{0}) return tl::unexpected({0}.error());", f.local("applied"));
   out.line("return {{}};");

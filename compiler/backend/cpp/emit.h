@@ -27,9 +27,10 @@ struct GeneratedFile {
 };
 
 /// The module's header and source. Equal inputs give equal bytes: no dates, no absolute paths. The code includes only
-/// runtime/include, is reentrant, and compiles without warnings. A name that C++ cannot use is reported (J0901) and then
-/// nothing is returned.
-std::vector<GeneratedFile> emit(ir::Program const& program, std::vector<Rule> const& rules, source::Sources const& sources,
-                                Options const& options, source::Diagnostics& diagnostics);
+/// runtime/include, is reentrant, and compiles without warnings. A name that C++ cannot use is reported (J0901) and
+/// then nothing is returned.
+std::vector<GeneratedFile> emit(ir::Program const& program, std::vector<Rule> const& rules,
+                                source::Sources const& sources, Options const& options,
+                                source::Diagnostics& diagnostics);
 
 }  // namespace jrule::cpp

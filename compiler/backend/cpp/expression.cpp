@@ -42,22 +42,27 @@ struct Printer {
   Code print_node(ir::Constant const& c) const { return constant(literal(c.value)); }
   Code print_node(ir::ParameterRef const& p) const { return {f.parameters[p.index]}; }
   Code print_node(ir::LetRef const& l) const { return {f.lets[l.index]}; }
-  Code print_node(ir::ValueAt const& v) const { return {fmt::format("{}[{}]", f.values[v.embedding], dart(v.node, v.path))}; }
+  Code print_node(ir::ValueAt const& v) const {
+    return {fmt::format("{}[{}]", f.values[v.embedding], dart(v.node, v.path))};
+  }
   Code print_node(ir::Collect const& c) const {
-    return {fmt::format("{}.over({}, {}, {}, {})", f.values[c.embedding], f.map, orbit_type(c.orbit), orbit_type(c.by), dart(c.node, c.path))};
+    return {fmt::format("{}.over({}, {}, {}, {})", f.values[c.embedding], f.map, orbit_type(c.orbit), orbit_type(c.by),
+                        dart(c.node, c.path))};
   }
   Code print_node(ir::Conditional const& c) const {
-    return {fmt::format("{} ? {} : {}", bound(print(*c.condition), disjunction), bound(print(*c.then_value), disjunction),
-                        bound(print(*c.else_value), disjunction)),
+    return {fmt::format("{} ? {} : {}", bound(print(*c.condition), disjunction),
+                        bound(print(*c.then_value), disjunction), bound(print(*c.else_value), disjunction)),
             conditional};
   }
 
-  // Of equal binding, the left operand needs no brackets. Compilers warn of comparisons that are compared, and of && in ||.
+  // Of equal binding, the left operand needs no brackets. Compilers warn of comparisons that are compared, and of && in
+  // ||.
   Code infix(char const* op, Binding binding, ir::Apply const& a) const {
     Binding left = binding, right = static_cast<Binding>(binding + 1);
     if (binding == comparison) left = sum;
     if (binding == disjunction) left = right = comparison;
-    return {fmt::format("{} {} {}", bound(print(*a.arguments[0]), left), op, bound(print(*a.arguments[1]), right)), binding};
+    return {fmt::format("{} {} {}", bound(print(*a.arguments[0]), left), op, bound(print(*a.arguments[1]), right)),
+            binding};
   }
 
   Code call(std::string const& function, ir::Apply const& a) const {
@@ -99,7 +104,8 @@ struct Printer {
       case Builtin::subtract: return integer ? call("jrule::subtract", a) : infix("-", sum, a);
       case Builtin::multiply: return integer ? call("jrule::multiply", a) : infix("*", product, a);
       case Builtin::divide: return infix("/", product, a);
-      case Builtin::negate: return integer ? call("jrule::negate", a) : Code{"-" + bound(print(*a.arguments[0]), primary), unary};
+      case Builtin::negate:
+        return integer ? call("jrule::negate", a) : Code{"-" + bound(print(*a.arguments[0]), primary), unary};
       case Builtin::less: return infix("<", comparison, a);
       case Builtin::less_equal: return infix("<=", comparison, a);
       case Builtin::greater: return infix(">", comparison, a);
@@ -108,7 +114,7 @@ struct Printer {
       case Builtin::not_equal: return infix("!=", comparison, a);
       case Builtin::logical_and: return infix("&&", conjunction, a);
       case Builtin::logical_or: return infix("||", disjunction, a);
-      case Builtin::logical_not: return {"!" + bound(print(*a.arguments[0]), primary), unary};
+      case Builtin::logical_not: return {"!" + bound(print(*a.arguments[0]), primary), comparison};
       case Builtin::to_real: return to_real(a);
       case Builtin::vec2: return construct(a, Type::Vec2);
       case Builtin::vec3: return construct(a, Type::Vec3);
@@ -128,7 +134,8 @@ struct Printer {
       case Builtin::pow:
       case Builtin::exp:
       case Builtin::log: return call(fmt::format("std::{}", ir::spelling(a.function)), a);
-      case Builtin::count: return {fmt::format("static_cast<std::int64_t>({}.size())", bound(print(*a.arguments[0]), primary))};
+      case Builtin::count:
+        return {fmt::format("static_cast<std::int64_t>({}.size())", bound(print(*a.arguments[0]), primary))};
       case Builtin::first: return first(a);
       case Builtin::all:
       case Builtin::any: return call(fmt::format("jrule::rewrite::{}", ir::spelling(a.function)), a);
@@ -152,6 +159,8 @@ struct Printer {
 
 }  // namespace
 
-std::string expression(ir::Expr const& expr, Function const& f, Where where) { return Printer{f, where}.print(expr).text; }
+std::string expression(ir::Expr const& expr, Function const& f, Where where) {
+  return Printer{f, where}.print(expr).text;
+}
 
 }  // namespace jrule::cpp

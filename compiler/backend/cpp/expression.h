@@ -1,4 +1,5 @@
-// Expressions as C++: the same functions of jrule/value.h that the interpreter calls, so that both agree to the last bit.
+// Expressions as C++: the same functions of jrule/value.h that the interpreter calls, so that both agree to the last
+// bit.
 #pragma once
 
 #include <string>

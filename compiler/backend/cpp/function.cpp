@@ -23,7 +23,11 @@ std::vector<Word> visited_orbits(analysis::OrbitComponent const& component) {
 }  // namespace
 
 Function::Function(Rule const& accepted, source::Sources const& files, PublicNames public_names, Scope taken)
-    : rule(*accepted.scheme), plan(*accepted.plan), sources(files), names(std::move(public_names)), scope(std::move(taken)) {
+    : rule(*accepted.scheme),
+      plan(*accepted.plan),
+      sources(files),
+      names(std::move(public_names)),
+      scope(std::move(taken)) {
   // First what the caller sees: it keeps its names, the rest gives way.
   for (ir::NodeId const hook : rule.hooks) hooks.push_back(scope.take(node(hook).name));
   for (ir::Parameter const& p : rule.parameters) parameters.push_back(scope.take(p.name));
@@ -32,13 +36,16 @@ Function::Function(Rule const& accepted, source::Sources const& files, PublicNam
   workspace = scope.take("workspace");
   size = scope.take("n");
   index = scope.take("k");
-  for (char const* name : {"at", "to", "expected", "u", "added", "generators", "matches", "twice", "commit", "orbit", "applied"}) locals[name] = scope.take(name);
+  for (char const* name :
+       {"at", "to", "expected", "u", "added", "generators", "matches", "twice", "commit", "orbit", "applied"})
+    locals[name] = scope.take(name);
   for (ir::Let const& let : rule.lets) lets.push_back(scope.take(let.name));
 
   for (ir::NodeId const hook : rule.hooks) hook_loops.push_back(scope.take("loops_" + node(hook).name));
 
   Scope member_names;
-  for (std::string const& name : {std::string("copies"), std::string("Copies"), names.result}) member_names.reserve(name);
+  for (std::string const& name : {std::string("copies"), std::string("Copies"), names.result})
+    member_names.reserve(name);
   for (ir::Node const& n : rule.nodes) {
     darts.push_back(scope.take((n.added() ? "added_" : "match_") + n.name));
     members.push_back(n.deleted() ? "" : member_names.take(n.name));
@@ -96,7 +103,9 @@ void Function::use(ir::Expr const& expr) {
     void operator()(ir::Constant const&) const {}
     void operator()(ir::ParameterRef const& p) const { f.uses_parameter[p.index] = true; }
     void operator()(ir::LetRef const& l) const { f.uses_let[l.index] = true; }
-    void operator()(ir::ValueAt const& v) const { f.reads_embedding[v.embedding] = f.uses_embedding[v.embedding] = true; }
+    void operator()(ir::ValueAt const& v) const {
+      f.reads_embedding[v.embedding] = f.uses_embedding[v.embedding] = true;
+    }
     void operator()(ir::Collect const& c) const {
       f.reads_embedding[c.embedding] = f.uses_embedding[c.embedding] = true;
       f.use_orbit_type(c.orbit);

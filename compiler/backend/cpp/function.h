@@ -27,22 +27,22 @@ struct Function {
   PublicNames names;
 
   // Parameters.
-  std::string modeler;                  ///< "surface"
-  std::vector<std::string> hooks;       ///< in order of declaration
+  std::string modeler;             ///< "surface"
+  std::vector<std::string> hooks;  ///< in order of declaration
   std::vector<std::string> parameters;
   // Local variables.
-  std::string map, workspace, size, index;         ///< "map", "workspace", "n", "k"
-  std::vector<std::string> darts;                  ///< by node: the vector of its copies
+  std::string map, workspace, size, index;                 ///< "map", "workspace", "n", "k"
+  std::vector<std::string> darts;                          ///< by node: the vector of its copies
   std::map<std::string, std::string, std::less<>> locals;  ///< further ones, by what they hold: "expected"
-  std::map<Word, std::string> columns;             ///< of the words that are used, without ε
+  std::map<Word, std::string> columns;                     ///< of the words that are used, without ε
   std::vector<std::string> lets;
   std::vector<std::string> embeddings, values, new_values;
-  std::map<OrbitType, std::string> orbit_types;    ///< those that expressions collect over
-  std::vector<std::string> hook_loops;             ///< by hook
-  std::map<std::vector<Word>, std::string> firsts; ///< by generators: by pattern dart, the first one of its orbit
-  std::vector<std::string> handles;                ///< by component of the plan
-  std::vector<std::vector<std::string>> inherited; ///< by component, then source
-  std::vector<std::string> members;                ///< by node: its name in the result
+  std::map<OrbitType, std::string> orbit_types;     ///< those that expressions collect over
+  std::vector<std::string> hook_loops;              ///< by hook
+  std::map<std::vector<Word>, std::string> firsts;  ///< by generators: by pattern dart, the first one of its orbit
+  std::vector<std::string> handles;                 ///< by component of the plan
+  std::vector<std::vector<std::string>> inherited;  ///< by component, then source
+  std::vector<std::string> members;                 ///< by node: its name in the result
 
   // What of these is used.
   std::vector<bool> reads_embedding, uses_embedding, adds_values;

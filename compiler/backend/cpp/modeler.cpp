@@ -14,32 +14,39 @@ namespace jrule::cpp {
 namespace {
 
 std::string model_expression(Model const& model) {
-  if (builtin_model(model.name, model.dimension) == model) return fmt::format("jrule::{}({})", model.name, model.dimension);
+  if (builtin_model(model.name, model.dimension) == model)
+    return fmt::format("jrule::{}({})", model.name, model.dimension);
   std::vector<std::string> pairs;
   for (auto const& [i, j] : model.exchange) pairs.push_back(fmt::format("{{{}, {}}}", i, j));
-  return fmt::format("{{{}, {}, {{{}}}, 0x{:x}, {{{}}}, {}}}", literal(model.name), model.dimension, fmt::join(model.dimensions, ", "), model.oriented,
-                     fmt::join(pairs, ", "), model.closed);
+  return fmt::format("{{{}, {}, {{{}}}, 0x{:x}, {{{}}}, {}}}", literal(model.name), model.dimension,
+                     fmt::join(model.dimensions, ", "), model.oriented, fmt::join(pairs, ", "), model.closed);
 }
 
 std::string spec_expression(EmbeddingSpec const& spec) {
   static constexpr std::string_view policies[] = {"none", "first", "mean", "min", "max"};
-  return fmt::format("{{{}, {}, jrule::Type::{}, {}, jrule::MergePolicy::{}}}", literal(spec.name), orbit_expression(spec.orbit), to_string(spec.type),
-                     spec.default_value ? fmt::format("jrule::Value({})", literal(*spec.default_value)) : "std::nullopt",
-                     policies[static_cast<std::size_t>(spec.merge)]);
+  return fmt::format(
+      "{{{}, {}, jrule::Type::{}, {}, jrule::MergePolicy::{}}}", literal(spec.name), orbit_expression(spec.orbit),
+      to_string(spec.type),
+      spec.default_value ? fmt::format("jrule::Value({})", literal(*spec.default_value)) : "std::nullopt",
+      policies[static_cast<std::size_t>(spec.merge)]);
 }
 
 void check_names(ir::Modeler const& modeler, std::string const& class_name, source::Diagnostics& diagnostics) {
-  std::set<std::string> taken{class_name, "read", "write", "from_map", "model", "embeddings", "map", "workspace", "cells", "map_", "workspace_"};
+  std::set<std::string> taken{class_name, "read",      "write", "from_map", "model",     "embeddings",
+                              "map",      "workspace", "cells", "map_",     "workspace_"};
   for (std::size_t e = 0; e < modeler.embeddings.size(); ++e) {
     std::string const& name = modeler.embeddings[e].name;
     std::string why(unusable(name));
     for (std::string const& member : {name, "set_" + name}) {
-      if (!taken.insert(member).second && why.empty()) why = fmt::format("is a name of the generated class: it has another member `{}`", member);
+      if (!taken.insert(member).second && why.empty())
+        why = fmt::format("is a name of the generated class: it has another member `{}`", member);
     }
     if (why.empty()) continue;
-    diagnostics.add({.code = source::Code::name_not_usable_in_cpp,
-                     .span = e < modeler.embedding_spans.size() ? modeler.embedding_spans[e] : source::Span{},
-                     .message = fmt::format("the embedding `{}` cannot be a member function of the C++ class `{}`: its name {}", name, class_name, why)});
+    diagnostics.add(
+        {.code = source::Code::name_not_usable_in_cpp,
+         .span = e < modeler.embedding_spans.size() ? modeler.embedding_spans[e] : source::Span{},
+         .message = fmt::format("the embedding `{}` cannot be a member function of the C++ class `{}`: its name {}",
+                                name, class_name, why)});
   }
 }
 
@@ -48,12 +55,17 @@ void write_accessors(Writer& out, ir::Modeler const& modeler, std::size_t e) {
   std::string const type = type_name(spec.type);
   out.line();
   if (e < modeler.embedding_docs.size()) {
-    for (std::string const& line : documentation(modeler.embedding_docs[e])) out.text(line.empty() ? "///" : "/// " + line);
+    for (std::string const& line : documentation(modeler.embedding_docs[e]))
+      out.text(line.empty() ? "///" : "/// " + line);
   }
   out.line("/// The value of the {}-orbit of a dart.", jrule::to_string(spec.orbit));
-  out.line("{0} {1}(jrule::Dart dart) const {{ return jrule::rewrite::Values<{0}>(map_.embedding({2}))[dart]; }}", type, spec.name, e);
-  out.line("/// Gives the whole {}-orbit of a dart a new value. May throw std::bad_alloc; then nothing has changed.", jrule::to_string(spec.orbit));
-  out.line("void set_{}(jrule::Dart dart, {} value) {{ jrule::rewrite::set_value(map_, {}, dart, value, workspace_); }}", spec.name, type, e);
+  out.line("{0} {1}(jrule::Dart dart) const {{ return jrule::rewrite::Values<{0}>(map_.embedding({2}))[dart]; }}", type,
+           spec.name, e);
+  out.line("/// Gives the whole {}-orbit of a dart a new value. May throw std::bad_alloc; then nothing has changed.",
+           jrule::to_string(spec.orbit));
+  out.line(
+      "void set_{}(jrule::Dart dart, {} value) {{ jrule::rewrite::set_value(map_, {}, dart, value, workspace_); }}",
+      spec.name, type, e);
 }
 
 void write_statics(Writer& out, ir::Modeler const& modeler, std::string const& name) {
@@ -92,7 +104,8 @@ std::string modeler_class(ir::Modeler const& modeler, std::string const& name, s
   check_names(modeler, name, diagnostics);
   Writer out;
   for (std::string const& line : documentation(modeler.doc)) out.text(line.empty() ? "///" : "/// " + line);
-  if (modeler.doc.empty()) out.line("/// A {}{}.", ir::map_name(modeler.model), modeler.embeddings.empty() ? "" : " and its embeddings");
+  if (modeler.doc.empty())
+    out.line("/// A {}{}.", ir::map_name(modeler.model), modeler.embeddings.empty() ? "" : " and its embeddings");
   out.open("class {} {{", name);
   out.lines(" public:\n");
   write_statics(out, modeler, name);

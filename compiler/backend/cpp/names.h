@@ -1,5 +1,6 @@
-// Names that C++ can use. A module's rules and embeddings keep theirs or are refused (J0901); what is only seen inside a
-// function or as a member of a result (hooks, parameters, nodes) gets a `_` appended where C++ cannot use it: `delete_`.
+// Names that C++ can use. A module's rules and embeddings keep theirs or are refused (J0901); what is only seen inside
+// a function or as a member of a result (hooks, parameters, nodes) gets a `_` appended where C++ cannot use it:
+// `delete_`.
 #pragma once
 
 #include <set>
@@ -18,8 +19,8 @@ std::string identifier(std::string_view text);
 std::string camel_case(std::string_view name);
 /// "HalfEdges" gives "half_edges".
 std::string snake_case(std::string_view name);
-/// The namespace of a module: "surface" for "std.surface". Never the name of a function of the C library, which lies in the
-/// global namespace too.
+/// The namespace of a module: "surface" for "std.surface". Never the name of a function of the C library, which lies in
+/// the global namespace too.
 std::string namespace_of(std::string_view module);
 
 /// The names of one C++ scope.

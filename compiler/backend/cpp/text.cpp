@@ -24,7 +24,8 @@ std::string type_name(Type type) {
 
 std::string literal(double value) {
   if (std::isnan(value)) return "std::numeric_limits<double>::quiet_NaN()";
-  if (std::isinf(value)) return value > 0 ? "std::numeric_limits<double>::infinity()" : "-std::numeric_limits<double>::infinity()";
+  if (std::isinf(value))
+    return value > 0 ? "std::numeric_limits<double>::infinity()" : "-std::numeric_limits<double>::infinity()";
   std::string text = fmt::format("{}", value);
   if (text.find_first_of(".e") == std::string::npos) text += ".0";
   return text;
@@ -66,17 +67,20 @@ std::string initializer(Word const& word) {
 }
 
 std::string orbit_expression(OrbitType const& orbit) {
-  bool const dimensions = std::all_of(orbit.words.begin(), orbit.words.end(), [](Word const& w) { return w.size() == 1 && !w[0].conjugate; });
+  bool const dimensions = std::all_of(orbit.words.begin(), orbit.words.end(),
+                                      [](Word const& w) { return w.size() == 1 && !w[0].conjugate; });
   std::string text;
   for (Word const& word : orbit.words) {
     text += (text.empty() ? "" : ", ") + (dimensions ? std::to_string(word[0].dimension) : initializer(word));
   }
-  return dimensions ? fmt::format("jrule::orbit_of_dimensions({{{}}})", text) : fmt::format("jrule::OrbitType{{{{{}}}}}", text);
+  return dimensions ? fmt::format("jrule::orbit_of_dimensions({{{}}})", text)
+                    : fmt::format("jrule::OrbitType{{{{{}}}}}", text);
 }
 
 std::string name_part(Word const& word) {
   std::string text;
-  for (Letter const letter : word) text += fmt::format("{}{}{}", text.empty() ? "" : "_", letter.conjugate ? "b" : "", letter.dimension);
+  for (Letter const letter : word)
+    text += fmt::format("{}{}{}", text.empty() ? "" : "_", letter.conjugate ? "b" : "", letter.dimension);
   return text;
 }
 
@@ -95,7 +99,8 @@ std::string file_name(source::Sources const& sources, source::Span span) {
   std::string const& path = sources.file(span.file).path;
   std::string name = path.substr(path.find_last_of("/\\") + 1);
   // A comment must not end early or go on.
-  std::replace_if(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\\'; }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\\'; }, '_');
   return name;
 }
 
@@ -104,9 +109,11 @@ std::string place(source::Sources const& sources, source::Span span) {
   return fmt::format("{}:{}", file_name(sources, span), sources.position(span.file, span.begin).line);
 }
 
-std::string arc_text(ir::RuleScheme const& rule, ir::NodeId source, int dimension, Word const& word, ir::NodeId target) {
+std::string arc_text(ir::RuleScheme const& rule, ir::NodeId source, int dimension, Word const& word,
+                     ir::NodeId target) {
   std::string letters;
-  for (Letter const letter : word) letters += fmt::format("{}{}{}", letters.empty() ? "" : ",", letter.conjugate ? "~" : "", letter.dimension);
+  for (Letter const letter : word)
+    letters += fmt::format("{}{}{}", letters.empty() ? "" : ",", letter.conjugate ? "~" : "", letter.dimension);
   if (!letters.empty()) letters = '[' + letters + ']';
   return fmt::format("{} -{}{}-> {}", rule.nodes[source].name, dimension, letters, rule.nodes[target].name);
 }
@@ -117,7 +124,8 @@ std::vector<std::string> documentation(std::string_view doc) {
     std::size_t const end = std::min(doc.find('\n'), doc.size());
     std::string line(doc.substr(0, end));
     // A backslash at the end would make the next line part of the comment.
-    while (!line.empty() && (line.back() == '\\' || std::isspace(static_cast<unsigned char>(line.back())) != 0)) line.pop_back();
+    while (!line.empty() && (line.back() == '\\' || std::isspace(static_cast<unsigned char>(line.back())) != 0))
+      line.pop_back();
     lines.push_back(std::move(line));
     doc.remove_prefix(std::min(end + 1, doc.size()));
   }

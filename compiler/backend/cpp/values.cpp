@@ -39,7 +39,8 @@ void write_conditions(Writer& out, Function const& f) {
   for (ir::ExprPtr const& requirement : f.rule.requirements) {
     out.line("// {}", place(f.sources, requirement->span));
     out.open("if (!({})) {{", expression(*requirement, f, Where::at_hooks));
-    out.line("return tl::unexpected(jrule::rewrite::requirement_failed({}, {}));", literal(f.rule.name), literal(ir::print(*requirement, f.rule)));
+    out.line("return tl::unexpected(jrule::rewrite::requirement_failed({}, {}));", literal(f.rule.name),
+             literal(ir::print(*requirement, f.rule)));
     out.close();
   }
 }
@@ -49,8 +50,8 @@ void write_orbits(Writer& out, Function const& f) {
   if (f.firsts.empty()) return;
   out.line();
   auto const& [words, name] = *f.firsts.begin();
-  out.line("// {}[{}] is the first dart of the pattern in the {}-orbit of its {}-th dart{}.", name, f.index, jrule::to_string(OrbitType{words}), f.index,
-           f.firsts.size() > 1 ? "; and so on" : "");
+  out.line("// {}[{}] is the first dart of the pattern in the {}-orbit of its {}-th dart{}.", name, f.index,
+           jrule::to_string(OrbitType{words}), f.index, f.firsts.size() > 1 ? "; and so on" : "");
   for (auto const& [generators, first] : f.firsts) {
     std::vector<std::string> columns;
     for (Word const& word : generators) columns.push_back('&' + f.columns.at(word));
@@ -79,7 +80,8 @@ void write_clause(Writer& out, Function const& f, std::size_t c) {
 
 // Darts that are matched keep their handles until the commit reads them; those where a walk leads have to be read now.
 bool has_inherited(analysis::OrbitComponent const& component) {
-  return std::any_of(component.sources.begin(), component.sources.end(), [](auto const& source) { return !source.tail.empty(); });
+  return std::any_of(component.sources.begin(), component.sources.end(),
+                     [](auto const& source) { return !source.tail.empty(); });
 }
 
 void write_inherited(Writer& out, Function const& f, std::size_t c) {
@@ -108,14 +110,16 @@ void write_component(Writer& out, Function const& f, std::size_t c) {
   auto const& component = f.plan.orbits[c];
   ir::Node const& root = f.node(component.members.front().node);
   EmbeddingSpec const& spec = f.spec(component.embedding);
-  source::Span const span = component.clause ? f.rule.clauses[*component.clause].span : root.right_span.value_or(root.span());
+  source::Span const span =
+      component.clause ? f.rule.clauses[*component.clause].span : root.right_span.value_or(root.span());
   std::string const where = place(f.sources, span);
   out.line();
   switch (component.kind) {
     case Kind::fresh:
       if (!component.clause) {
         out.line("// {}: {}.{} by default", where, root.name, spec.name);
-        out.line("jrule::Handle const {} = {}.add({});", f.handles[c], f.new_values[component.embedding], literal(*spec.default_value));
+        out.line("jrule::Handle const {} = {}.add({});", f.handles[c], f.new_values[component.embedding],
+                 literal(*spec.default_value));
         return;
       }
       [[fallthrough]];

@@ -1,11 +1,11 @@
 // Lines of C++ at their indent: generated code needs no formatter afterwards.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <string>
 #include <string_view>
 #include <utility>
-
-#include <fmt/format.h>
 
 namespace jrule::cpp {
 

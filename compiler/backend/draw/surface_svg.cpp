@@ -13,7 +13,7 @@ namespace jrule::draw {
 
 namespace {
 
-constexpr Color neutral{0.80, 0.83, 0.86};
+constexpr Color neutral{0.86, 0.85, 0.82};
 
 tl::unexpected<Error> bad(std::string message) { return fail(Error::Kind::bad_input, std::move(message)); }
 
@@ -162,14 +162,17 @@ Picture project(std::vector<Point3> const& points, View const& view, int width) 
   return picture;
 }
 
-/// The colour of a lit face: both sides alike, a sun from the upper left, a pale sky above and some light from the ground.
+/// The colour of a lit face: both sides alike, a warm sun from the upper left that still grazes what it does not face,
+/// a cool sky above.
 Color shade(Color base, Vec3 area, View const& view) {
   Vec3 normal = normalize(area);
   if (dot(normal, view.eye) < 0) normal = -normal;
-  Vec3 const sun = normalize(view.right * -0.55 + view.up * 0.75 + view.eye * 0.65);
-  double const lambert = std::max(0.0, dot(normal, sun));
+  Vec3 const sun_from = normalize(view.right * -0.5 + view.up * 0.7 + view.eye * 0.75);
+  double const lambert = std::max(0.0, dot(normal, sun_from));
+  double const sun = 0.75 * lambert + 0.25 * (0.5 + 0.5 * dot(normal, sun_from));
   double const sky = 0.5 + 0.5 * dot(normal, view.up);
-  Color const light = lerp(Color{0.34, 0.33, 0.36}, Color{0.46, 0.49, 0.54}, sky) + Color{0.66, 0.64, 0.59} * lambert;
+  Color const ambient = lerp(Color{0.40, 0.40, 0.45}, Color{0.48, 0.51, 0.56}, sky);
+  Color const light = ambient + Color{0.63, 0.60, 0.54} * sun;
   return {base.r * light.r, base.g * light.g, base.b * light.b};
 }
 

@@ -23,7 +23,7 @@ class Values {
  public:
   explicit Values(Embedding const& embedding) : handles_(embedding.handles()), pool_(embedding.values<Stored<T>>()) {}
   T operator[](Dart d) const { return static_cast<T>(pool_[handles_[d]]); }
-  /// Those over ⟨type⟩(d), one for each ⟨by⟩-orbit inside, breadth first.
+  /// Those over ⟨type⟩(d), one for each ⟨by⟩-orbit inside, in the order of orbit().
   std::vector<Stored<T>> over(Map const& map, OrbitType const& type, OrbitType const& by, Dart d) const {
     std::vector<Stored<T>> list;
     for (Dart const representative : representatives(map, type, by, d)) list.push_back(pool_[handles_[representative]]);

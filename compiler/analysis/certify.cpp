@@ -1,0 +1,219 @@
+#include "compiler/analysis/certify.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "compiler/algebra/group.h"
+#include "compiler/analysis/alternating_paths.h"
+#include "compiler/analysis/completion.h"
+#include "compiler/analysis/relations.h"
+
+namespace jrule::analysis {
+
+using algebra::Cancellations;
+
+namespace {
+
+class Certifier {
+ public:
+  explicit Certifier(ir::RuleScheme const& rule) : rule_(rule) {}
+
+  Certificate run() {
+    imply();
+    check_incident_arcs();
+    check_non_orientation();
+    for (auto const& [i, j] : rule_.model().exchange) check_cycles(i, j);
+    if (rule_.model().closed) check_loops();
+    return std::move(certificate_);
+  }
+
+ private:
+  [[noreturn]] void unproved(std::string const& what) const { throw std::logic_error("rule " + rule_.name + ": no proof of " + what); }
+
+  // ---- Words ----
+
+  Word joined(std::vector<Word> const& words) const {
+    Word all;
+    for (Word const& word : words) all.insert(all.end(), word.begin(), word.end());
+    return all;
+  }
+  Word conjugate(Word const& word) const { return algebra::conjugate(rule_.model(), word); }
+  static Letter forwards(int dimension) { return {static_cast<std::uint8_t>(dimension), false}; }
+  Letter backwards(int dimension) const { return {static_cast<std::uint8_t>(dimension), rule_.model().is_oriented(dimension)}; }
+
+  Cancellations trace(Word const& word) const {
+    auto steps = algebra::cancel(rule_.model(), word);
+    if (!steps) unproved(to_string(word) + " = ε in Γ");
+    return *std::move(steps);
+  }
+
+  Proof prove(Word word) {
+    auto const derivation = words_.derive(word);
+    if (!derivation) unproved(to_string(word) + " = ε on the pattern");
+    Proof proof{word, {}, {}};
+    for (Derivation::Step const& step : derivation->steps) {
+      for (Letter const letter : step.prefix) close(letter.dimension);
+      std::size_t const relation = relate(step.relation);
+      Word const& r = words_.relations()[step.relation].word;
+      Word const product = joined({step.prefix, step.conjugate ? conjugate(r) : r, conjugate(step.prefix), word});
+      proof.steps.push_back({step.prefix, relation, step.conjugate, step.result, trace(joined({product, conjugate(step.result)}))});
+      word = step.result;
+    }
+    proof.trace = trace(word);
+    return proof;
+  }
+
+  // ---- What the left side says, listed when it is first needed ----
+
+  void place(ir::NodeId node) {
+    auto const& evidence = placement_.evidence(node);
+    if (!evidence || !placed_.insert(node).second) return;
+    ir::Arc const& arc = rule_.left.arcs[evidence->arc];
+    place(evidence->forwards ? arc.source : arc.target);
+    Word const given = evidence->forwards ? joined({conjugate(arc.word), *placement_.offset(arc.source), {forwards(arc.dimension)}})
+                                          : joined({arc.word, *placement_.offset(arc.target), {backwards(arc.dimension)}});
+    Word const& offset = *placement_.offset(node);
+    certificate_.placements.push_back({*evidence, offset, trace(joined({given, conjugate(offset)}))});
+  }
+
+  /// x_s·d·x̄_t·w̄, which the arc makes ε.
+  Word around(ir::Arc const& arc) {
+    place(arc.source);
+    place(arc.target);
+    return joined({*placement_.offset(arc.source), {forwards(arc.dimension)}, conjugate(*placement_.offset(arc.target)), conjugate(arc.word)});
+  }
+
+  /// The position in the certificate of one of the relations.
+  std::size_t relate(std::size_t r) {
+    if (auto const known = related_.find(r); known != related_.end()) return known->second;
+    Relation const& relation = words_.relations()[r];
+    Word given;
+    if (relation.evidence.kind == RelationEvidence::Kind::arc) {
+      given = around(rule_.left.arcs[relation.evidence.arcs.front()]);
+    } else {
+      for (ArcIndex const arc : relation.evidence.arcs) given = joined({given, rule_.left.arcs[arc].word});
+    }
+    std::size_t const position = certificate_.relations.size();
+    certificate_.relations.push_back({relation.evidence, relation.word, trace(joined({given, conjugate(relation.word)}))});
+    related_[r] = position;
+    return position;
+  }
+
+  void close(int dimension) {
+    if (!closed_.insert(dimension).second) return;
+    auto const& all = words_.closure();
+    auto const found = std::find_if(all.begin(), all.end(), [&](ClosureEvidence const& c) { return c.dimension == dimension; });
+    if (found == all.end()) unproved("a closed pattern");
+    ClosureEvidence evidence = *found;
+    if (evidence.kind == ClosureEvidence::Kind::relation) {
+      for (Letter const letter : words_.relations()[evidence.index].word) close(letter.dimension);
+      evidence.index = relate(evidence.index);
+    }
+    certificate_.closure.push_back(evidence);
+  }
+
+  void imply() {
+    auto const& arcs = completed_.rule.left.arcs;
+    for (std::size_t k = 0; k < completed_.implied.size(); ++k) {
+      ir::Arc const& arc = arcs[rule_.left.arcs.size() + k];
+      ImpliedEvidence const& evidence = completed_.implied[k];
+      Word given;
+      if (evidence.kind == ImpliedEvidence::Kind::placement) {
+        for (Letter const letter : arc.word) close(letter.dimension);
+        given = around(arc);
+      } else {
+        for (ArcIndex const other : evidence.arcs) given = joined({given, arcs[other].word});
+        given = joined({given, arc.word});
+      }
+      certificate_.implied.push_back({arc, evidence, trace(given)});
+    }
+  }
+
+  // ---- The conditions ----
+
+  void check_incident_arcs() {
+    auto const index = [](SideView const& view, ir::Arc const* arc) { return arc ? std::optional(view.index_of(*arc)) : std::nullopt; };
+    for (ir::NodeId node = 0; node < rule_.nodes.size(); ++node) {
+      for (int const d : rule_.model().dimensions) {
+        certificate_.incident_arcs.push_back({node, d,
+                                              {index(left_, left_.table.out(node, d)), index(right_, right_.table.out(node, d))},
+                                              {index(left_, left_.table.in(node, d)), index(right_, right_.table.in(node, d))}});
+      }
+    }
+  }
+
+  void check_non_orientation() {
+    for (SideView const* view : {&left_, &right_}) {
+      for (ir::Arc const& arc : view->side.arcs) {
+        if (rule_.model().is_oriented(arc.dimension) || !view->changed(arc)) continue;
+        ir::Arc const* const reverse = view->table.out(arc.target, arc.dimension);
+        if (!reverse || reverse->target != arc.source) unproved("a reverse");
+        if (reverse < &arc) continue;  // listed with that one
+        certificate_.reverses.push_back({view == &right_, view->index_of(arc), view->index_of(*reverse), prove(joined({reverse->word, arc.word}))});
+      }
+    }
+  }
+
+  Word word_of(AlternatingPath const& path) const {
+    Word word;
+    for (ir::Arc const* arc : path) word = joined({word, arc->word});
+    return word;
+  }
+
+  void check_cycles(int i, int j) {
+    bool const oriented = rule_.model().is_oriented(i) || rule_.model().is_oriented(j);
+    std::set<ir::Arc const*> listed;  // arcs of this pair's cycles; of non-oriented ones, their reverses too
+    for (CycleObligation const& obligation : cycle_obligations(left_, right_, rule_.model(), i, j)) {
+      SideView const& view = obligation.added ? right_ : left_;
+      if (obligation.four_steps()) {
+        if (listed.contains(obligation.path.front())) continue;
+        Certificate::Cycle cycle{obligation.added, {}, {}};
+        for (std::size_t k = 0; k < 4; ++k) {
+          ir::Arc const& arc = *obligation.path[k];
+          cycle.arcs[k] = view.index_of(arc);
+          listed.insert(&arc);
+          ir::Arc const* const reverse = view.table.out(arc.target, arc.dimension);
+          if (!oriented && reverse && reverse->target == arc.source) listed.insert(reverse);
+        }
+        if (obligation.added) cycle.proof = prove(word_of(obligation.path));
+        certificate_.cycles.push_back(std::move(cycle));
+      } else if (!obligation.added) {  // the added path is its partner
+        Certificate::Paths paths{{i, j}, {}, {}, {}};
+        for (ir::Arc const* arc : obligation.path) paths.left.push_back(left_.index_of(*arc));
+        for (ir::Arc const* arc : obligation.partner) paths.right.push_back(right_.index_of(*arc));
+        paths.proof = prove(joined({word_of(obligation.path), conjugate(word_of(obligation.partner))}));
+        certificate_.paths.push_back(std::move(paths));
+      }
+    }
+  }
+
+  void check_loops() {
+    for (ir::Arc const& arc : right_.side.arcs) {
+      if (arc.source != arc.target || !right_.changed(arc)) continue;
+      auto const conjugation = algebra::conjugate_of_letter(group_, arc.word);
+      if (!conjugation) unproved("an arc that is no loop");
+      Word const word = joined({conjugation->by, {conjugation->letter}, conjugate(conjugation->by), conjugate(arc.word)});
+      certificate_.no_loops.push_back({right_.index_of(arc), *conjugation, trace(word)});
+    }
+  }
+
+  ir::RuleScheme const& rule_;
+  algebra::Group group_{rule_.model()};
+  Placement placement_{rule_, group_};
+  PatternWords words_{rule_, group_, placement_};
+  Completed completed_ = complete(rule_, group_, placement_, words_);
+  SideView left_{rule_.nodes.size(), completed_.rule.left, completed_.rule.right};
+  SideView right_{rule_.nodes.size(), completed_.rule.right, completed_.rule.left};
+  std::set<ir::NodeId> placed_{};
+  std::map<std::size_t, std::size_t> related_{};
+  std::set<int> closed_{};
+  Certificate certificate_{};
+};
+
+}  // namespace
+
+Certificate certify(ir::RuleScheme const& rule) { return Certifier(rule).run(); }
+
+}  // namespace jrule::analysis
