@@ -16,6 +16,12 @@
 
 namespace jrule::analysis {
 
+/// A word that is ε in Γ, and how.
+struct Vanishing {
+  Word word;
+  algebra::Cancellations steps;  ///< empty it
+};
+
 /// A word acts as ε on the pattern: for all pattern darts u, u·word = u. Each step multiplies it in front by p·r·p̄, which acts as
 /// ε since p leads from the pattern into the pattern and r is a relation, or the conjugate of one.
 struct Proof {
@@ -23,12 +29,12 @@ struct Proof {
     Word prefix;               ///< p, of dimensions under which the pattern is closed
     std::size_t relation = 0;  ///< r
     bool conjugate = false;
-    Word result;                   ///< = p·r·p̄·word in Γ
-    algebra::Cancellations trace;  ///< empties p·r·p̄·word·(conjugate of the result)
+    Word result;      ///< = p·r·p̄·word in Γ,
+    Vanishing trace;  ///< for p·r·p̄·word·(conjugate of the result) vanishes
   };
   Word word;
   std::vector<Step> steps;
-  algebra::Cancellations trace;  ///< empties the last result; the word, if there are no steps
+  Vanishing trace;  ///< of the last result; of the word, if there are no steps
 };
 
 struct Certificate {
@@ -38,19 +44,19 @@ struct Certificate {
   struct Placement {
     PlacementEvidence evidence;
     Word offset;
-    algebra::Cancellations trace;  ///< empties the word that the arc gives, times the conjugate of the offset
+    Vanishing trace;  ///< of the word that the arc gives, w̄·x_s·d or w·x_t·d̄, times the conjugate of the offset
   };
   /// u·word = u.
   struct Relation {
     RelationEvidence evidence;
     Word word;
-    algebra::Cancellations trace;  ///< empties the word that the arcs give, times the conjugate of `word`
+    Vanishing trace;  ///< of the word that the arcs give, x_s·d·x̄_t·w̄ or the product of theirs, times the conjugate of `word`
   };
   /// An arc of the map between matched darts. No rule that leaves it out deletes it, so it is on both sides.
   struct ImpliedArc {
     ir::Arc arc;
     ImpliedEvidence evidence;
-    algebra::Cancellations trace;  ///< reverse: of its word times the arc's; cycle: of the four words; placement: of x_s·d·x̄_t·w̄
+    Vanishing trace;  ///< of x_s·d·x̄_t·w̄ for a placement; else of the product of the words of the evidence and its own
   };
   std::vector<Placement> placements;
   std::vector<Relation> relations;
@@ -88,7 +94,7 @@ struct Certificate {
   struct NoLoop {
     ArcIndex arc = 0;
     algebra::ConjugateOfLetter conjugation;
-    algebra::Cancellations trace;  ///< empties by·letter·b̄y times the conjugate of the arc's word
+    Vanishing trace;  ///< of by·letter·b̄y times the conjugate of the arc's word
   };
   std::vector<IncidentArcs> incident_arcs;
   std::vector<Reverse> reverses;

@@ -12,8 +12,6 @@
 
 namespace jrule::analysis {
 
-using algebra::Cancellations;
-
 namespace {
 
 class Certifier {
@@ -43,10 +41,10 @@ class Certifier {
   static Letter forwards(int dimension) { return {static_cast<std::uint8_t>(dimension), false}; }
   Letter backwards(int dimension) const { return {static_cast<std::uint8_t>(dimension), rule_.model().is_oriented(dimension)}; }
 
-  Cancellations trace(Word const& word) const {
+  Vanishing trace(Word word) const {
     auto steps = algebra::cancel(rule_.model(), word);
     if (!steps) unproved(to_string(word) + " = ε in Γ");
-    return *std::move(steps);
+    return {std::move(word), *std::move(steps)};
   }
 
   Proof prove(Word word) {

@@ -18,7 +18,7 @@ constexpr Dart random_size = 10;
 /// Left sides' instances that are larger are tried with the smallest patterns only.
 constexpr Dart dart_limit = 64;
 /// Random maps that are tried once there is a counterexample, to find a smaller one.
-constexpr std::size_t improvements = 300;
+constexpr std::size_t improvements = 150;
 
 /// The model of some dimensions alone: of the pattern, before the rest of the map is there.
 Model restricted(Model model, std::set<int> const& dimensions) {

@@ -14,11 +14,18 @@ namespace {
 using Found = std::optional<Violation>;
 
 Found outgoing_arcs(Graph const& graph, std::size_t column, int i) {
-  for (Dart const d : graph.darts) {
+  for (Dart d = 0; d < graph.targets.size(); ++d) {
+    bool const live = graph.contains(d);
     auto const& to = graph.targets[d][column];
-    if (to.size() == 1) continue;
     std::string text;
-    if (to.empty()) {
+    if (!live) {
+      if (to.empty()) continue;
+      text = fmt::format("dart {} is deleted, but its {}-arc is not", d, i);
+    } else if (auto const erased = std::find_if(to.begin(), to.end(), [&](Dart t) { return !graph.contains(t); }); erased != to.end()) {
+      text = fmt::format("dart {}: its {}-arc leads to dart {}, which is deleted", d, i, *erased);
+    } else if (to.size() == 1) {
+      continue;
+    } else if (to.empty()) {
       text = fmt::format("dart {} has no {}-arc", d, i);
     } else if (to.size() > 2) {
       text = fmt::format("dart {} has {} {}-arcs, to darts {}", d, to.size(), i, fmt::join(to, ", "));
@@ -48,12 +55,14 @@ Found incoming_arcs(Graph const& graph, std::size_t column, int i) {
 
 }  // namespace
 
+bool Graph::contains(Dart d) const { return std::binary_search(darts.begin(), darts.end(), d); }
+
 Graph graph_of(Map const& map) {
   Graph graph;
-  graph.targets.resize(map.dart_limit());
+  graph.targets.resize(map.dart_limit(), std::vector<std::vector<Dart>>(map.model().dimensions.size()));
   graph.darts = map.darts();
   for (Dart const d : graph.darts) {
-    for (int const i : map.model().dimensions) graph.targets[d].push_back({map.target(d, i)});
+    for (int const i : map.model().dimensions) graph.targets[d][static_cast<std::size_t>(map.model().column(i))] = {map.target(d, i)};
   }
   return graph;
 }
@@ -99,13 +108,9 @@ std::string print_graph(Graph const& graph, Model const& model) {
   std::string text = empty.substr(0, empty.find("\ndarts "));
   text += fmt::format("\ndarts {}\n", graph.targets.size());
   for (Dart d = 0; d < graph.targets.size(); ++d) {
-    bool const live = std::binary_search(graph.darts.begin(), graph.darts.end(), d);
     std::vector<std::string> words;
-    for (std::size_t c = 0; c < model.dimensions.size(); ++c) {
-      auto const* const to = live ? &graph.targets[d][c] : nullptr;
-      words.push_back(!to || to->empty() ? "-" : fmt::format("{}", fmt::join(*to, "+")));
-    }
-    text += fmt::format("{}{}\n", fmt::join(words, " "), live ? "" : "  # deleted");
+    for (auto const& to : graph.targets[d]) words.push_back(to.empty() ? "-" : fmt::format("{}", fmt::join(to, "+")));
+    text += fmt::format("{}{}\n", fmt::join(words, " "), graph.contains(d) ? "" : "  # deleted");
   }
   return text;
 }

@@ -9,10 +9,12 @@
 
 namespace jrule::analysis {
 
-/// For each dart and dimension (by the model's column) the targets of its arcs.
+/// For each dart and dimension (by the model's column) the targets of its arcs. An erased dart is not in `darts`; an arc from or
+/// to it is left dangling.
 struct Graph {
-  std::vector<std::vector<std::vector<Dart>>> targets;  ///< [dart][column], ascending; erased darts have no entry in `darts`
+  std::vector<std::vector<std::vector<Dart>>> targets;  ///< [dart][column], ascending
   std::vector<Dart> darts;                              ///< ascending
+  bool contains(Dart d) const;
 };
 
 /// The arcs of a map, without its values.

@@ -143,14 +143,7 @@ void LiteralApplication::rewrite(PartialMap const& map) {
   }
   for (ir::NodeId id = 0; id < rule_.nodes.size(); ++id) {
     if (!rule_.nodes[id].deleted()) continue;
-    for (Dart const d : copies_[id]) {
-      live_[d] = false;
-      for (std::size_t c = 0; c < out_.size(); ++c) {
-        out_[c][d] = no_dart;
-        Dart const from = map.source(d, c);
-        if (out_[c][from] == d) out_[c][from] = no_dart;
-      }
-    }
+    for (Dart const d : copies_[id]) live_[d] = false;
   }
   for (ir::NodeId id = 0; id < rule_.nodes.size(); ++id) {
     if (!rule_.nodes[id].added()) continue;
@@ -178,8 +171,9 @@ bool LiteralApplication::is_map_but_for_doubled() const {
   for (auto const& column : out_) {
     incoming_.assign(size, no_dart);
     for (Dart d = 0; d < size; ++d) {
+      if (live_[d] == (column[d] == no_dart)) return false;
       if (!live_[d]) continue;
-      if (column[d] == no_dart || incoming_[column[d]] != no_dart) return false;
+      if (!live_[column[d]] || incoming_[column[d]] != no_dart) return false;
       incoming_[column[d]] = d;
     }
   }
@@ -217,8 +211,7 @@ Graph LiteralApplication::result() const {
   Graph graph;
   graph.targets.resize(live_.size());
   for (Dart d = 0; d < live_.size(); ++d) {
-    if (!live_[d]) continue;
-    graph.darts.push_back(d);
+    if (live_[d]) graph.darts.push_back(d);
     for (auto const& column : out_) graph.targets[d].push_back(column[d] == no_dart ? std::vector<Dart>{} : std::vector<Dart>{column[d]});
   }
   for (Extra const& extra : extras_) {

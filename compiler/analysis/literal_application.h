@@ -21,8 +21,8 @@ class LiteralApplication {
     doubled_arcs,  ///< it is one, but for arcs that are there twice
     broken,
   };
-  /// Applies the rule to a map without missing arcs, one dart for each hook. A deleted dart takes unmatched arcs with it (where the
-  /// dangling condition fails, there is no double pushout; this shows why). What follows is of the last application.
+  /// Applies the rule to a map without missing arcs, one dart for each hook. Unmatched arcs of a deleted dart stay too: where
+  /// the dangling condition fails, the result shows why. What follows is of the last application.
   Outcome apply(PartialMap const& map, std::vector<Dart> const& hooks);
 
   Graph result() const;

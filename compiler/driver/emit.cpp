@@ -5,6 +5,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "compiler/analysis/certify.h"
 #include "compiler/backend/cpp/emit.h"
 #include "compiler/backend/draw/draw.h"
 #include "compiler/driver/compile.h"
@@ -43,6 +44,12 @@ std::vector<Output> produce(EmitOptions const& options, Compilation& compilation
     outputs.push_back({program.module + ".ir", std::move(text)});
   } else if (options.stage == "dot") {
     for (ir::RuleScheme const& rule : program.rules) outputs.push_back({file_name(rule.name, ".dot"), draw::rule_dot(rule)});
+  } else if (options.stage == "certificate") {
+    for (std::size_t i = 0; i < program.rules.size(); ++i) {
+      ir::RuleScheme const& rule = program.rules[i];
+      if (!compilation.verdicts[i].accepted()) continue;
+      outputs.push_back({file_name(rule.name, ".certificate"), analysis::print(analysis::certify(rule), rule, compilation.sources)});
+    }
   } else if (options.stage == "cpp") {
     std::vector<cpp::Rule> rules;
     for (std::size_t i = 0; i < program.rules.size(); ++i) rules.push_back({&program.rules[i], &compilation.verdicts[i].plan});
@@ -104,7 +111,7 @@ int write(EmitOptions const& options, Compilation const& compilation, std::vecto
 }  // namespace
 
 int emit(EmitOptions const& options) {
-  if (options.stage == "svg" || options.stage == "certificate") return not_implemented("emit " + options.stage);
+  if (options.stage == "svg") return not_implemented("emit " + options.stage);
   if (options.directory.empty() && (!options.depfile.empty() || options.write_if_changed)) {
     print_error("`--depfile` and `--write-if-changed` need a folder to write to: `-o DIR`");
     return exit_usage;

@@ -1,6 +1,8 @@
 #include "jrule/embedding.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <concepts>
 #include <stdexcept>
 #include <type_traits>
@@ -71,6 +73,7 @@ void Embedding::reserve_values(std::size_t count) {
   std::visit(
       [&](auto& pool) {
         std::size_t const needed = pool.size() + count;
+        if (needed >= no_handle) throw std::length_error("too many values of embedding `" + spec_.name + "`");
         // Doubling keeps a long series of small reservations linear.
         if (needed > pool.capacity()) pool.reserve(std::max(needed, 2 * pool.capacity()));
       },
@@ -112,24 +115,32 @@ void Embedding::compact() {
       pool_);
 }
 
-Value Embedding::merge(std::span<Handle const> parts) const {
-  return std::visit(
-      [&]<class Stored>(std::vector<Stored> const& pool) -> Value {
-        using T = Unstored<Stored>;
-        if (spec_.merge == MergePolicy::first) return value(parts.front());
-        std::vector<Stored> list;
-        list.reserve(parts.size());
-        for (Handle h : parts) list.push_back(pool[h]);
-        if constexpr (HasMean<T>) {
-          if (spec_.merge == MergePolicy::mean) return mean(std::span<T const>(list));
-        }
-        if constexpr (HasOrder<T>) {
-          if (spec_.merge == MergePolicy::min) return min(std::span<T const>(list));
-          if (spec_.merge == MergePolicy::max) return max(std::span<T const>(list));
-        }
-        throw std::logic_error("embedding `" + spec_.name + "` has no merge policy");
-      },
-      pool_);
+Value Embedding::merge(std::span<Handle const> parts) const noexcept {
+  assert(!parts.empty() && spec_.merge != MergePolicy::none);
+  Value result = value(parts.front());
+  if (spec_.merge == MergePolicy::mean) {
+    // As mean() of the list, but without the list: sums from zero in its order, divided once.
+    int const count = component_count(spec_.type);
+    std::array<double, 3> sums{};
+    for (Handle const part : parts) {
+      Value const v = value(part);
+      for (int c = 0; c < count; ++c) sums[static_cast<std::size_t>(c)] += component(v, c);
+    }
+    for (double& sum : sums) sum /= static_cast<double>(parts.size());
+    return from_components(spec_.type, std::span<double const>(sums).first(static_cast<std::size_t>(count)));
+  }
+  for (Handle const part : parts.subspan(1)) {
+    std::visit(
+        [&]<class T>(T& kept) {
+          if constexpr (HasOrder<T>) {
+            T const other = std::get<T>(value(part));
+            if (spec_.merge == MergePolicy::min) kept = min(kept, other);
+            if (spec_.merge == MergePolicy::max) kept = max(kept, other);
+          }
+        },
+        result);
+  }
+  return result;
 }
 
 }  // namespace jrule

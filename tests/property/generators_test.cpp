@@ -25,8 +25,10 @@ TEST(RandomMap, IsAMapOfItsModel) {
 }
 
 TEST(RandomOperation, IsAcceptedAndApplies) {
-  // These are sound in some models only; all others have to be accepted wherever they are offered.
-  std::set<std::string> const nearly_sound{"edge_removal", "product", "unsew"};
+  // These are sound in some models only, or may ask for loops where there are none; all others have to be accepted wherever they
+  // are offered.
+  std::set<std::string> const nearly_sound{"edge_removal", "product", "unsew", "frame"};
+  int refused = 0;
   Random random(8);
   std::set<std::string> accepted, applied;
   for (int k = 0; k < 4000; ++k) {
@@ -34,10 +36,14 @@ TEST(RandomOperation, IsAcceptedAndApplies) {
     ASSERT_FALSE(ir::verify(rule)) << *ir::verify(rule) << '\n' << ir::print(rule);
     bool const is_accepted = analysis::analyze(rule).accepted();
     EXPECT_TRUE(is_accepted || nearly_sound.contains(rule.name)) << ir::print(rule);
-    if (!is_accepted) continue;
+    if (!is_accepted) {
+      ++refused;
+      continue;
+    }
     accepted.insert(rule.name);
     if (grow_site(rule, random)) applied.insert(rule.name);
   }
+  EXPECT_LE(refused, 200);
   EXPECT_GE(accepted.size(), 18U);
   EXPECT_EQ(applied, accepted);
 }

@@ -234,7 +234,6 @@ TEST(Embedding, MergesByItsPolicy) {
   EXPECT_EQ(merged(MergePolicy::mean, {Color{1, 0, 0}}), Value(Color{1, 0, 0}));
   EXPECT_EQ(merged(MergePolicy::min, {2.0, -1.0}), Value(-1.0));
   EXPECT_EQ(merged(MergePolicy::max, {Value(std::int64_t{2}), Value(std::int64_t{9})}), Value(std::int64_t{9}));
-  EXPECT_THROW(merged(MergePolicy::none, {1.0, 2.0}), std::logic_error);
 }
 
 }  // namespace

@@ -55,8 +55,8 @@ struct Printer {
             conditional};
   }
 
-  // Of equal binding, the left operand needs no brackets. Compilers warn of comparisons that are compared, and of && in
-  // ||.
+  // Of equal binding, the left operand needs no brackets. Compilers warn of comparisons and negations that are compared,
+  // and of && in ||.
   Code infix(char const* op, Binding binding, ir::Apply const& a) const {
     Binding left = binding, right = static_cast<Binding>(binding + 1);
     if (binding == comparison) left = sum;

@@ -9,13 +9,14 @@
 
 namespace jrule::draw {
 
-/// The rule as a Graphviz graph: left and right side as two clusters; preserved nodes black, deleted and added ones red, the
-/// hook doubled; a non-oriented arc is one undirected edge, words in brackets, as in the paper's figures.
+/// The rule as a Graphviz graph: left and right side as two clusters; preserved nodes black, deleted and added ones
+/// red, the hook doubled; a non-oriented arc is one undirected edge, words in brackets, as in the paper's figures.
 std::string rule_dot(ir::RuleScheme const& rule);
 
-/// A surface seen from a fixed direction (from +x, +y and +z, y up), lit, hidden faces painted over, edges drawn: a standalone
-/// SVG of at most `width` x `width` pixels. Needs an embedding of type Point3 (or Point2) on vertices; another embedding of
-/// type Color on faces colours them. Cost: O(faces · log faces).
+/// A surface seen from a fixed direction (from +x, +y and +z, y up), lit, hidden faces painted over, edges drawn: a
+/// standalone SVG of at most `width` x `width` pixels. Needs an embedding of type Point3 (or Point2, then seen from +z)
+/// on vertices; another embedding of type Color on faces colours them. An error for a map without darts, an open face
+/// or a position that is missing or not finite. Cost: O(faces · log faces).
 Result<std::string> surface_svg(Map const& map, int width = 800);
 
 }  // namespace jrule::draw

@@ -1,5 +1,5 @@
-// Rules as Graphviz graphs. An arc and its reverse (Def. 8) are one line; the reverse of (w, d) from s to t is (w̄, d) from
-// t to s, so a line whose word is not its own conjugate wears a small ring at the end from which the word is read.
+// Rules as Graphviz graphs. An arc and its reverse (Def. 8) are one line; the reverse of (w, d) from s to t is (w̄, d)
+// from t to s, so a line whose word is not its own conjugate wears a small ring at the end from which the word is read.
 #include <fmt/format.h>
 
 #include <string_view>
@@ -28,15 +28,14 @@ std::string quoted(std::string_view text) {
   return result + '"';
 }
 
-/// "2" for the empty word, else "2[0,~1]".
+/// " 2 " for the empty word, else " 2[0,~1] ": the blanks keep nested loops and their labels apart.
 std::string arc_label(ir::Arc const& arc) {
-  std::string label = std::to_string(arc.dimension);
-  if (arc.word.empty()) return label;
+  std::string label = ' ' + std::to_string(arc.dimension);
   for (std::size_t i = 0; i < arc.word.size(); ++i) {
     label += i == 0 ? '[' : ',';
     label += to_string(Word{arc.word[i]});
   }
-  return label + ']';
+  return label + (arc.word.empty() ? " " : "] ");
 }
 
 struct Line {
@@ -89,7 +88,8 @@ std::string print_line(Line const& line, char side) {
 
 std::string print_side(ir::RuleScheme const& rule, algebra::Group const& group, bool left) {
   char const side = left ? 'l' : 'r';
-  std::string text = fmt::format("  subgraph cluster_{0} {{\n    label=\"{0}\";\n", left ? "left" : "right");
+  std::string text = fmt::format("  subgraph cluster_{0} {{\n", left ? "left" : "right");
+  text += fmt::format("    label=\"{}\"; style=rounded; color=gray60; margin=16;\n", left ? "left" : "right");
   bool empty = true;
   for (ir::NodeId id = 0; id < rule.nodes.size(); ++id) {
     ir::Node const& node = rule.nodes[id];

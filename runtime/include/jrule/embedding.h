@@ -47,7 +47,7 @@ class Embedding {
   std::size_t value_count() const noexcept;
   /// Adds a value of the embedding's type; strong guarantee; noexcept once reserved.
   Handle add(Value const& value);
-  /// Room for so many further values without allocation.
+  /// Room for so many further values: adding them does not throw. May throw std::bad_alloc, std::length_error.
   void reserve_values(std::size_t count);
   /// Keeps the first `count` values: undoes add().
   void truncate_values(std::size_t count) noexcept;
@@ -62,7 +62,7 @@ class Embedding {
 
   /// The value of a merged orbit by the embedding's policy (not `none`) from its parts' values; one part or more, in the
   /// order of the darts that bring them.
-  Value merge(std::span<Handle const> parts) const;
+  Value merge(std::span<Handle const> parts) const noexcept;
 
  private:
   EmbeddingSpec spec_;
