@@ -15,9 +15,9 @@ class Printer {
 
   std::string run() {
     line("certificate of the rule {} on {}, for a {}{}", rule_.name, rule_.modeler->name, ir::map_name(rule_.model()), place(rule_.span));
-    line("# L, R, I: an arc of the left side, of the right side, or implied by the left side and so on both sides");
-    line("# (p,q): in the word before it, the letter at q moves left to the one at p, past exchangeable letters (of which an oriented");
-    line("# one turns round, as does an oriented q), and cancels with it; what remains follows");
+    line("# L1, R1, I1: an arc of the left side, of the right side, one that the left side implies and that is on both sides");
+    line("# (p,q) between two words: letter q moves to letter p, past exchangeable ones, and both cancel; an oriented letter turns");
+    line("# round, 1 to ~1, where it passes or is passed");
     print_rule();
     print_left_side();
     print_incident_arcs();
@@ -143,8 +143,9 @@ class Printer {
   void print_reverses() {
     if (!certificate_.reverses.empty()) line("reverses of added and deleted arcs (paper, Def. 24)");
     for (auto const& entry : certificate_.reverses) {
-      std::string const reverse = entry.arc == entry.reverse ? "itself" : arc_name(!entry.added, entry.reverse);
-      print_proof(fmt::format("{} of {}", reverse, arc_name(!entry.added, entry.arc)), entry.proof);
+      std::string const arc = arc_name(!entry.added, entry.arc);
+      print_proof(entry.arc == entry.reverse ? fmt::format("{} is its own", arc) : fmt::format("{} is that of {}", arc_name(!entry.added, entry.reverse), arc),
+                  entry.proof);
     }
   }
 

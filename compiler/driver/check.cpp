@@ -1,16 +1,37 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "compiler/driver/compile.h"
 #include "compiler/driver/report.h"
+#include "jrule/io.h"
 
 namespace jrule::driver {
+
+namespace {
+
+int write(CounterexampleFiles const& counterexamples) {
+  if (counterexamples.files.empty()) return exit_ok;
+  std::error_code error;
+  std::filesystem::create_directories(counterexamples.directory, error);  // if it fails, writing says so
+  for (auto const& [path, content] : counterexamples.files) {
+    if (auto const written = write_whole_file(path, content); !written) {
+      print_error(written.error());
+      return exit_usage;
+    }
+  }
+  return exit_ok;
+}
+
+}  // namespace
 
 int check(CheckOptions const& options) {
   int result = exit_ok;
   for (std::string const& file : options.files) {
-    auto const compilation = compile(file, options.common);
+    CounterexampleFiles counterexamples{options.counterexamples, {}};
+    auto const compilation = compile(file, options.common, options.counterexamples.empty() ? nullptr : &counterexamples);
+    result = std::max(result, write(counterexamples));
     print(compilation->sources, compilation->diagnostics, options.common);
     result = std::max(result, status(compilation->diagnostics));
     if (options.common.format == MessageFormat::human && compilation->read()) {

@@ -33,6 +33,7 @@ int run(int argc, char const* const* argv) {
   CLI::App& check_command = *app.add_subcommand("check", "parse, type-check and analyse rules");
   add_common(check_command, check_options.common);
   check_command.add_option("FILE", check_options.files, "source files")->required();
+  check_command.add_option("--counterexample", check_options.counterexamples, "write a map that each refused rule breaks, as .jmap and SVG")->type_name("DIR");
   check_command.callback([&] { status = check(check_options); });
 
   EmitOptions emit_options;

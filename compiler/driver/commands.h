@@ -25,6 +25,7 @@ struct Common {
 struct CheckOptions {
   Common common;
   std::vector<std::string> files;
+  std::string counterexamples;  ///< the folder that counterexamples are written to; empty: none
 };
 int check(CheckOptions const& options);
 

@@ -10,19 +10,20 @@ sema::SearchPath search_path(Common const& common) {
   return {chosen ? chosen : JRULE_STDLIB, common.import_dirs};
 }
 
-analysis::Verdict judge(ir::RuleScheme const& rule, source::Diagnostics& diagnostics) {
+analysis::Verdict judge(ir::RuleScheme const& rule, source::Diagnostics& diagnostics, CounterexampleFiles* files) {
   if (auto const fault = ir::verify(rule)) throw std::logic_error("rule " + rule.name + ": " + *fault);
   analysis::Verdict verdict = analysis::analyze(rule);
+  refute(rule, verdict, files);
   for (analysis::Refusal const& refusal : verdict.refusals) diagnostics.add(refusal.diagnostic);
   return verdict;
 }
 
-std::unique_ptr<Compilation> compile(std::string const& path, Common const& common) {
+std::unique_ptr<Compilation> compile(std::string const& path, Common const& common, CounterexampleFiles* files) {
   auto compilation = std::make_unique<Compilation>();
   compilation->modules = sema::load(path, search_path(common), compilation->sources, compilation->diagnostics);
   compilation->program = sema::elaborate(compilation->modules, compilation->diagnostics);
   for (ir::RuleScheme const& rule : compilation->program.rules) {
-    compilation->verdicts.push_back(judge(rule, compilation->diagnostics));
+    compilation->verdicts.push_back(judge(rule, compilation->diagnostics, files));
   }
   return compilation;
 }

@@ -7,6 +7,7 @@
 
 #include "compiler/analysis/analyze.h"
 #include "compiler/driver/commands.h"
+#include "compiler/driver/refutation.h"
 #include "compiler/sema/elaborate.h"
 
 namespace jrule::driver {
@@ -21,11 +22,11 @@ struct Compilation {
   bool read() const { return !modules.all.empty(); }
 };
 
-/// Everything is in the diagnostics, refusals too.
-std::unique_ptr<Compilation> compile(std::string const& path, Common const& common);
+/// Everything is in the diagnostics, refusals with their counterexamples too; those are added to `files`, if given.
+std::unique_ptr<Compilation> compile(std::string const& path, Common const& common, CounterexampleFiles* files = nullptr);
 
 /// The verdict on one more rule, its refusals added to the diagnostics.
-analysis::Verdict judge(ir::RuleScheme const& rule, source::Diagnostics& diagnostics);
+analysis::Verdict judge(ir::RuleScheme const& rule, source::Diagnostics& diagnostics, CounterexampleFiles* files = nullptr);
 
 /// Where imports are looked up: `std` in the folder that JRULE_STDLIB names, else where jrule was built from.
 sema::SearchPath search_path(Common const& common);

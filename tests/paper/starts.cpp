@@ -58,19 +58,22 @@ Map twice(Map const& map) {
   return both;
 }
 
-Map in_external_volume(Map const& volumes) {
-  Dart const n = volumes.dart_limit();
-  Map map = twice(volumes);
-  for (Dart const d : volumes.darts()) {
-    map.set_target(n + volumes.target(d, 1), 1, n + d);
+Map in_external_volume(Map const& surface) {
+  Dart const n = surface.dart_limit();
+  Map map(omap(3));
+  map.add_darts(2 * n);
+  for (Dart const d : surface.darts()) {
+    map.set_target(d, 1, surface.target(d, 1));
+    map.set_target(n + surface.target(d, 1), 1, n + d);
+    map.link(d, 2, surface.target(d, 2));
+    map.link(n + d, 2, n + surface.target(d, 2));
     map.link(d, 3, n + d);
   }
   return map;
 }
 
 Map in_space(Map const& surface) {
-  std::vector<EmbeddingSpec> const none;
-  Map map(gmap(3), none);
+  Map map(gmap(3));
   map.add_darts(surface.dart_limit());
   for (Dart const d : surface.darts()) {
     for (int const i : surface.model().dimensions) map.set_target(d, i, surface.target(d, i));

@@ -22,8 +22,8 @@ Map permutations(Model const& model, Dart darts, std::vector<Cycles> const& dime
 
 /// Two copies side by side.
 Map twice(Map const& map);
-/// A 3-O-map's volumes, whose 3-arcs are all loops, in the external volume, their mirror image.
-Map in_external_volume(Map const& volumes);
+/// The volume that a 2-O-map bounds as a 3-O-map, 3-linked to the external volume, its mirror image.
+Map in_external_volume(Map const& surface);
 /// A 2-G-map as a 3-G-map whose 3-arcs are all loops.
 Map in_space(Map const& surface);
 

@@ -13,7 +13,8 @@ namespace jrule::property {
 
 namespace {
 
-std::optional<std::string> same_result(ir::RuleScheme const& rule, Map const& before, reference::Derivation const& expected, Map const& after,
+std::optional<std::string> same_result(ir::RuleScheme const& rule, Map const& before,
+                                       reference::Derivation const& expected, Map const& after,
                                        interpreter::Applied const& applied) {
   std::map<Dart, unsigned> expected_node, node;  // of the added darts: a renaming keeps whose copies they are
   std::map<ir::NodeId, std::set<Dart>> expected_copies;
@@ -23,7 +24,8 @@ std::optional<std::string> same_result(ir::RuleScheme const& rule, Map const& be
   }
   for (ir::NodeId s = 0; s < rule.nodes.size(); ++s) {
     std::set<Dart> const copies(applied.copies[s].begin(), applied.copies[s].end());
-    if (rule.nodes[s].preserved() && copies != expected_copies[s]) return "the copies of node " + rule.nodes[s].name + " lie elsewhere";
+    if (rule.nodes[s].preserved() && copies != expected_copies[s])
+      return "the copies of node " + rule.nodes[s].name + " lie elsewhere";
     if (!rule.nodes[s].added()) continue;
     for (Dart const d : copies) node[d] = s;
   }
@@ -31,7 +33,8 @@ std::optional<std::string> same_result(ir::RuleScheme const& rule, Map const& be
   for (Dart const d : before.darts()) {
     if (expected.result.targets.contains(d)) kept[d] = d;
   }
-  if (!reference::isomorphic(expected.result, reference::plain(after), kept, expected_node, node)) return "the results differ:\n" + print_jmap(after);
+  if (!reference::isomorphic(expected.result, reference::plain(after), kept, expected_node, node))
+    return "the results differ:\n" + print_jmap(after);
   return {};
 }
 
@@ -44,13 +47,15 @@ Examined examine(ir::RuleScheme const& rule, analysis::Plan const& plan, Site co
   auto const applied = interpreter::apply(rule, plan, after, site.hooks, {}, workspace);
   if (!applied) {
     if (expected) return {false, "it should apply, but: " + to_string(applied.error())};
-    if (applied.error().kind != Error::Kind::not_applicable) return {false, "another error: " + to_string(applied.error())};
+    if (applied.error().kind != Error::Kind::not_applicable)
+      return {false, "another error: " + to_string(applied.error())};
     if (print_jmap(after) != print_jmap(site.map)) return {false, "it does not apply, but the map is changed"};
     return {false, {}};
   }
   if (!expected) return {true, "it should not apply: " + expected.error()};
   if (auto const violation = find_violation(after)) return {true, "the result is no map: " + violation->text};
-  if (auto const violation = reference::violation(reference::plain(after), rule.model())) return {true, "the result is no map: " + *violation};
+  if (auto const violation = reference::violation(reference::plain(after), rule.model()))
+    return {true, "the result is no map: " + *violation};
   return {true, same_result(rule, site.map, *expected, after, *applied)};
 }
 
@@ -86,13 +91,16 @@ Examined examine_values(ir::RuleScheme const& rule, analysis::Plan const& plan, 
     auto const orbits = number_orbits(after, after.embedding(e).spec().orbit);
     std::vector<std::set<std::int64_t>> brought(orbits.first.size());
     for (Dart const d : after.darts()) {
-      if (!added.contains(d)) brought[orbits.number[d]].insert(std::get<std::int64_t>(before.embedding(e).value(before.embedding(e).handle(d))));
+      if (!added.contains(d))
+        brought[orbits.number[d]].insert(
+            std::get<std::int64_t>(before.embedding(e).value(before.embedding(e).handle(d))));
     }
     for (std::size_t o = 0; o < brought.size(); ++o) {
       auto const value = std::get<std::int64_t>(after.embedding(e).value(after.embedding(e).handle(orbits.first[o])));
       if (brought[o].empty() ? value != -1 : !brought[o].contains(value)) {
-        return {true, "the " + after.embedding(e).spec().name + "-orbit of dart " + std::to_string(orbits.first[o]) + " has the value " + std::to_string(value) +
-                          ", which none of its darts had\n" + print_jmap(after)};
+        return {true, "the " + after.embedding(e).spec().name + "-orbit of dart " + std::to_string(orbits.first[o]) +
+                          " has the value " + std::to_string(value) + ", which none of its darts had\n" +
+                          print_jmap(after)};
       }
     }
   }

@@ -24,7 +24,8 @@ std::string variable(char const* name, std::string const& otherwise) {
 class Configuration : public testing::Environment {
  public:
   void SetUp() override {
-    std::string const parameters = "seed=" + variable("JRULE_SEED", "1") + " max_success=" + std::to_string(case_count());
+    std::string const parameters =
+        "seed=" + variable("JRULE_SEED", "1") + " max_success=" + std::to_string(case_count());
     setenv("RC_PARAMS", parameters.c_str(), 0);
   }
 };
@@ -42,9 +43,10 @@ std::ostream& operator<<(std::ostream& out, Case const& c) {
 
 rc::Gen<Case> cases() {
   auto const number = rc::gen::noShrink(rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()));
-  return rc::gen::build<Case>(rc::gen::set(&Case::operation, number),
-                              rc::gen::set(&Case::mutations, rc::gen::resize(4, rc::gen::container<std::vector<std::uint64_t>>(number))),
-                              rc::gen::set(&Case::maps, number));
+  return rc::gen::build<Case>(
+      rc::gen::set(&Case::operation, number),
+      rc::gen::set(&Case::mutations, rc::gen::resize(4, rc::gen::container<std::vector<std::uint64_t>>(number))),
+      rc::gen::set(&Case::maps, number));
 }
 
 ir::RuleScheme make_rule(Case const& c, std::shared_ptr<ir::Modeler const> (*modeler_of)(Model const&)) {
@@ -78,7 +80,8 @@ std::vector<Site> make_sites(Case const& c, ir::RuleScheme const& rule) {
     sites.push_back(std::move(*site));
   }
   for (Map const& map : random_maps(rule.model(), 2, random)) add_other_hooks(map, 2);
-  std::stable_sort(sites.begin(), sites.end(), [](Site const& a, Site const& b) { return a.map.dart_count() < b.map.dart_count(); });
+  std::stable_sort(sites.begin(), sites.end(),
+                   [](Site const& a, Site const& b) { return a.map.dart_count() < b.map.dart_count(); });
   return sites;
 }
 

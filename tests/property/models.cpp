@@ -6,7 +6,8 @@ namespace jrule::property {
 
 namespace {
 
-Model custom(std::string name, std::vector<int> dimensions, std::uint16_t oriented, std::vector<std::pair<int, int>> exchange, bool closed = false) {
+Model custom(std::string name, std::vector<int> dimensions, std::uint16_t oriented,
+             std::vector<std::pair<int, int>> exchange, bool closed = false) {
   Model model;
   model.name = std::move(name);
   model.dimension = dimensions.back();
@@ -23,8 +24,8 @@ constexpr std::uint16_t bits(int a, int b) { return static_cast<std::uint16_t>((
 
 std::vector<Model> const& models() {
   static std::vector<Model> const all{
-      gmap(2), gmap(3), omap(2), omap(3), closed_gmap(2), dual_omap(3), gmap(1), omap(4), closed_gmap(3), gmap(4), dual_omap(2),
-      closed_gmap(1), omap(1), gmap(0),
+      gmap(2), gmap(3), omap(2), omap(3), closed_gmap(2), dual_omap(3), gmap(1), omap(4), closed_gmap(3), gmap(4),
+      dual_omap(2), closed_gmap(1), omap(1), gmap(0),
       // Every pair of three involutions commutes.
       custom("cube", {0, 1, 2}, 0, {{0, 1}, {0, 2}, {1, 2}}),
       // The exchangeable pairs of theory.md, section 1.
@@ -46,7 +47,8 @@ std::shared_ptr<ir::Modeler const> bare(Model const& model) {
 std::shared_ptr<ir::Modeler const> embedded(Model const& model) {
   auto modeler = std::make_shared<ir::Modeler>(*bare(model));
   auto const add = [&](std::string name, OrbitType orbit) {
-    modeler->embeddings.push_back({std::move(name), std::move(orbit), Type::Int, Value(std::int64_t{-1}), MergePolicy::first});
+    modeler->embeddings.push_back(
+        {std::move(name), std::move(orbit), Type::Int, Value(std::int64_t{-1}), MergePolicy::first});
     modeler->embedding_docs.emplace_back();
     modeler->embedding_spans.emplace_back();
   };
@@ -57,7 +59,8 @@ std::shared_ptr<ir::Modeler const> embedded(Model const& model) {
   for (int const i : model.dimensions) add("arc" + std::to_string(i), orbit_of_dimensions({i}));
   add("component", component_orbit(model));
   if (model.dimensions.size() > 1) {
-    auto const first = static_cast<std::uint8_t>(model.dimensions[0]), last = static_cast<std::uint8_t>(model.dimensions.back());
+    auto const first = static_cast<std::uint8_t>(model.dimensions[0]),
+               last = static_cast<std::uint8_t>(model.dimensions.back());
     add("there_and_on", OrbitType{{{{first, false}, {last, false}}}});
   }
   return modeler;

@@ -25,7 +25,8 @@ struct Mutation {
     }
   }
   void insert(bool left, ir::Arc arc) {
-    if (arc.source == arc.target && !rule.model().is_oriented(arc.dimension) && arc.word != group.inverse(arc.word) && random.chance(85)) {
+    if (arc.source == arc.target && !rule.model().is_oriented(arc.dimension) && arc.word != group.inverse(arc.word) &&
+        random.chance(85)) {
       arc.word = involution(arc.word);
     }
     for (ir::Arc const& a : with_reverse(group, arc.source, arc.dimension, arc.word, arc.target)) {
@@ -87,7 +88,8 @@ struct Mutation {
     std::vector<ir::Arc> const arcs = side(left).arcs;
     for (ir::Arc const& a : with_reverse(group, arc.source, arc.dimension, arc.word, arc.target)) {
       for (ir::Arc const& other : arcs) {
-        if (other.dimension == a.dimension && (other.source == a.source || other.target == a.target)) erase(left, other);
+        if (other.dimension == a.dimension && (other.source == a.source || other.target == a.target))
+          erase(left, other);
       }
     }
   }
@@ -96,7 +98,9 @@ struct Mutation {
   bool needs(ir::NodeId id, int d, bool outgoing) {
     if (rule.nodes[id].added()) return true;
     if (rule.nodes[id].deleted()) return false;
-    return std::any_of(rule.left.arcs.begin(), rule.left.arcs.end(), [&](ir::Arc const& arc) { return arc.dimension == d && (outgoing ? arc.source : arc.target) == id; });
+    return std::any_of(rule.left.arcs.begin(), rule.left.arcs.end(), [&](ir::Arc const& arc) {
+      return arc.dimension == d && (outgoing ? arc.source : arc.target) == id;
+    });
   }
 
   /// Most rules that break the incident-arcs condition say nothing about the others: gives the right side the arcs that it
@@ -222,7 +226,8 @@ struct Mutation {
       insert(false, {first.target, first.dimension, random_word(), second.target, {}});
     } else {
       insert(false, {first.source, first.dimension, random.chance(60) ? first.word : random_word(), second.target, {}});
-      insert(false, {second.source, first.dimension, random.chance(60) ? second.word : random_word(), first.target, {}});
+      insert(false,
+             {second.source, first.dimension, random.chance(60) ? second.word : random_word(), first.target, {}});
     }
     return true;
   }
@@ -244,7 +249,8 @@ struct Mutation {
     erase(false, a);
     erase(false, b);
     insert(false, {a.source, a.dimension, random.chance(50) ? a.word : Word{}, b.source, {}});
-    if (rule.model().is_oriented(a.dimension)) insert(false, {b.source, a.dimension, random.chance(50) ? b.word : Word{}, a.source, {}});
+    if (rule.model().is_oriented(a.dimension))
+      insert(false, {b.source, a.dimension, random.chance(50) ? b.word : Word{}, a.source, {}});
     return true;
   }
 
@@ -263,7 +269,8 @@ struct Mutation {
   /// A right arc between preserved nodes becomes matched as well, or a matched one is kept on the right.
   bool preserve() {
     auto const edge = random_edge();
-    if (!edge || !rule.nodes[edge->second.source].preserved() || !rule.nodes[edge->second.target].preserved()) return false;
+    if (!edge || !rule.nodes[edge->second.source].preserved() || !rule.nodes[edge->second.target].preserved())
+      return false;
     if (random.chance(80)) make_room(!edge->first, edge->second);
     insert(!edge->first, edge->second);
     return true;
@@ -315,10 +322,12 @@ struct Mutation {
   }
 
   bool run() {
-    static constexpr std::array changes{
-        &Mutation::change_word, &Mutation::change_word, &Mutation::relabel,   &Mutation::retarget,    &Mutation::drop,     &Mutation::add,
-        &Mutation::add,         &Mutation::orient,      &Mutation::exchange,  &Mutation::exchange,    &Mutation::exchange, &Mutation::cut_or_join,
-        &Mutation::cut_or_join, &Mutation::move_copies, &Mutation::preserve,  &Mutation::change_status, &Mutation::remove_node};
+    static constexpr std::array changes{&Mutation::change_word,   &Mutation::change_word, &Mutation::relabel,
+                                        &Mutation::retarget,      &Mutation::drop,        &Mutation::add,
+                                        &Mutation::add,           &Mutation::orient,      &Mutation::exchange,
+                                        &Mutation::exchange,      &Mutation::exchange,    &Mutation::cut_or_join,
+                                        &Mutation::cut_or_join,   &Mutation::move_copies, &Mutation::preserve,
+                                        &Mutation::change_status, &Mutation::remove_node};
     return (this->*changes[random.below(changes.size())])();
   }
 };
@@ -328,7 +337,8 @@ bool hooks_are_full(ir::RuleScheme const& rule) {
   return std::all_of(rule.hooks.begin(), rule.hooks.end(), [&](ir::NodeId hook) {
     return std::all_of(rule.hook_type.begin(), rule.hook_type.end(), [&](Letter op) {
       return std::any_of(rule.left.arcs.begin(), rule.left.arcs.end(), [&](ir::Arc const& arc) {
-        return arc.source == hook && arc.target == hook && arc.word.size() == 1 && arc.word[0].dimension == op.dimension &&
+        return arc.source == hook && arc.target == hook && arc.word.size() == 1 &&
+               arc.word[0].dimension == op.dimension &&
                (hook != rule.hooks[0] || (arc.dimension == op.dimension && arc.word[0] == op));
       });
     });

@@ -37,7 +37,8 @@ void expect_telling(Tally const& tally) {
 using Examine = Examined (*)(ir::RuleScheme const&, analysis::Plan const&, Site const&);
 
 /// Applies the accepted ones of the random rules at random places.
-void check_accepted(std::string const& property, std::shared_ptr<ir::Modeler const> (*modeler_of)(Model const&), Examine examine) {
+void check_accepted(std::string const& property, std::shared_ptr<ir::Modeler const> (*modeler_of)(Model const&),
+                    Examine examine) {
   Tally tally;
   bool const holds = rc::check(property, [&] {
     Case const c = *cases();
@@ -119,7 +120,9 @@ TEST(RefusedRule, MostlyHasACounterexample) {
   EXPECT_TRUE(holds);
   RecordProperty("refused", refused);
   RecordProperty("refuted", refuted);
-  for (auto const& [kind, counts] : kinds) RecordProperty("refuted of " + kind, std::to_string(counts.first) + " of " + std::to_string(counts.first + counts.second));
+  for (auto const& [kind, counts] : kinds)
+    RecordProperty("refuted of " + kind,
+                   std::to_string(counts.first) + " of " + std::to_string(counts.first + counts.second));
   EXPECT_GE(refused, case_count() / 10);
   EXPECT_GE(refuted, refused * 3 / 4);
 }

@@ -18,7 +18,9 @@ class Random {
   /// True in `percent` of 100 cases.
   bool chance(std::size_t percent) { return below(100) < percent; }
   template <class T>
-  T const& pick(std::vector<T> const& from) { return from[below(from.size())]; }
+  T const& pick(std::vector<T> const& from) {
+    return from[below(from.size())];
+  }
   template <class T>
   void shuffle(std::vector<T>& items) {
     for (std::size_t k = items.size(); k > 1; --k) std::swap(items[k - 1], items[below(k)]);

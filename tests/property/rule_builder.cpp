@@ -2,7 +2,8 @@
 
 namespace jrule::property {
 
-std::vector<ir::Arc> with_reverse(algebra::Group const& group, ir::NodeId source, int dimension, Word const& word, ir::NodeId target) {
+std::vector<ir::Arc> with_reverse(algebra::Group const& group, ir::NodeId source, int dimension, Word const& word,
+                                  ir::NodeId target) {
   std::vector<ir::Arc> arcs{{source, dimension, group.normal_form(word), target, {}}};
   if (group.model().is_oriented(dimension)) return arcs;
   ir::Arc const reverse{target, dimension, group.inverse(word), source, {}};
@@ -27,7 +28,8 @@ void renumber_spans(ir::RuleScheme& rule) {
   for (ir::Arc& arc : rule.right.arcs) arc.span = span();
 }
 
-RuleBuilder::RuleBuilder(std::shared_ptr<ir::Modeler const> modeler, std::string name, std::vector<int> const& hook_type)
+RuleBuilder::RuleBuilder(std::shared_ptr<ir::Modeler const> modeler, std::string name,
+                         std::vector<int> const& hook_type)
     : group_(modeler->model) {
   rule_.name = std::move(name);
   rule_.modeler = std::move(modeler);

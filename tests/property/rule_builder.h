@@ -14,7 +14,8 @@ namespace jrule::property {
 enum class On { left, right, both };
 
 /// The arc and, for a non-oriented dimension, its reverse if that is another arc; words in normal form.
-std::vector<ir::Arc> with_reverse(algebra::Group const& group, ir::NodeId source, int dimension, Word const& word, ir::NodeId target);
+std::vector<ir::Arc> with_reverse(algebra::Group const& group, ir::NodeId source, int dimension, Word const& word,
+                                  ir::NodeId target);
 /// Gives every node and arc a place of its own, in order, as if it were written there.
 void renumber_spans(ir::RuleScheme& rule);
 
@@ -45,7 +46,9 @@ class RuleBuilder {
   algebra::Group group_;
 };
 
-inline Letter letter(int dimension, bool conjugate = false) { return {static_cast<std::uint8_t>(dimension), conjugate}; }
+inline Letter letter(int dimension, bool conjugate = false) {
+  return {static_cast<std::uint8_t>(dimension), conjugate};
+}
 inline Word word(int a) { return {letter(a)}; }
 inline Word word(int a, int b) { return {letter(a), letter(b)}; }
 

@@ -149,7 +149,8 @@ std::vector<int> letters_of(ir::RuleScheme const& rule) {
 /// The model of the letters alone: what a pattern is before the rest of the map is there.
 Model restricted(Model model, std::vector<int> const& dimensions) {
   model.dimensions = dimensions;
-  std::erase_if(model.exchange, [&](auto const& pair) { return model.column(pair.first) < 0 || model.column(pair.second) < 0; });
+  std::erase_if(model.exchange,
+                [&](auto const& pair) { return model.column(pair.first) < 0 || model.column(pair.second) < 0; });
   return model;
 }
 

@@ -43,7 +43,8 @@ struct Engine {
     return d;
   }
   Dart walk_back(Dart d, Word const& word) const {
-    for (auto l = word.rbegin(); l != word.rend(); ++l) d = l->conjugate ? target(d, l->dimension) : sources.at(l->dimension).at(d);
+    for (auto l = word.rbegin(); l != word.rend(); ++l)
+      d = l->conjugate ? target(d, l->dimension) : sources.at(l->dimension).at(d);
     return d;
   }
 
@@ -85,7 +86,8 @@ struct Engine {
   std::vector<ProductArc> instantiate(ir::Side const& side, ir::Side const& other) const {
     std::vector<ProductArc> arcs;
     for (ir::Arc const& arc : side.arcs) {
-      bool const preserved = std::any_of(other.arcs.begin(), other.arcs.end(), [&](ir::Arc const& o) { return o.same(arc); });
+      bool const preserved =
+          std::any_of(other.arcs.begin(), other.arcs.end(), [&](ir::Arc const& o) { return o.same(arc); });
       for (Dart const u : pattern) {
         arcs.push_back({{u, arc.source}, arc.dimension, {pattern_arcs.at({u, arc.word}), arc.target}, preserved});
       }
@@ -138,14 +140,17 @@ struct Engine {
     std::set<PlainArc> matched_arcs;
     for (ProductArc const& arc : left) {
       PlainArc const image{m.at(arc.source), arc.dimension, m.at(arc.target)};
-      if (target(image.source, image.dimension) != image.target) return Failure(fmt::format("dart {} has another {}-arc", image.source, image.dimension));
-      if (!matched_arcs.insert(image).second) return Failure(fmt::format("the {}-arc of dart {} is matched twice", image.dimension, image.source));
+      if (target(image.source, image.dimension) != image.target)
+        return Failure(fmt::format("dart {} has another {}-arc", image.source, image.dimension));
+      if (!matched_arcs.insert(image).second)
+        return Failure(fmt::format("the {}-arc of dart {} is matched twice", image.dimension, image.source));
     }
     return m;
   }
 
   /// The dangling condition: every arc at a deleted dart is matched.
-  std::optional<std::string> dangling(std::vector<ProductArc> const& left, Match const& m, std::set<Dart> const& deleted) const {
+  std::optional<std::string> dangling(std::vector<ProductArc> const& left, Match const& m,
+                                      std::set<Dart> const& deleted) const {
     std::set<PlainArc> matched;
     for (ProductArc const& arc : left) matched.insert({m.at(arc.source), arc.dimension, m.at(arc.target)});
     for (Dart const d : deleted) {
@@ -191,7 +196,8 @@ struct Engine {
       }
     }
     for (ProductArc const& arc : right) {
-      if (!arc.preserved) h.targets.at(derivation.copies.at(arc.source)).at(arc.dimension).push_back(derivation.copies.at(arc.target));
+      if (!arc.preserved)
+        h.targets.at(derivation.copies.at(arc.source)).at(arc.dimension).push_back(derivation.copies.at(arc.target));
     }
     return derivation;
   }
@@ -199,7 +205,8 @@ struct Engine {
 
 }  // namespace
 
-tl::expected<Derivation, std::string> derive(ir::RuleScheme const& rule, PlainMap const& map, std::vector<Dart> const& hooks) {
+tl::expected<Derivation, std::string> derive(ir::RuleScheme const& rule, PlainMap const& map,
+                                             std::vector<Dart> const& hooks) {
   return Engine{rule, map, hooks}.run();
 }
 

@@ -18,12 +18,13 @@ namespace jrule::reference {
 using Copy = std::pair<Dart, ir::NodeId>;
 
 struct Derivation {
-  PlainMap result;             ///< H of G ⇒ H
-  std::map<Copy, Dart> copies; ///< m': where the nodes of ι(R, P) lie in H
+  PlainMap result;              ///< H of G ⇒ H
+  std::map<Copy, Dart> copies;  ///< m': where the nodes of ι(R, P) lie in H
 };
 
 /// The direct derivation G ⇒ H at these darts, one for each hook; else why there is none. `map` must satisfy the incident-arcs
 /// constraint. Any rule will do, sound or not. Requirements, clauses and embeddings are left out.
-tl::expected<Derivation, std::string> derive(ir::RuleScheme const& rule, PlainMap const& map, std::vector<Dart> const& hooks);
+tl::expected<Derivation, std::string> derive(ir::RuleScheme const& rule, PlainMap const& map,
+                                             std::vector<Dart> const& hooks);
 
 }  // namespace jrule::reference

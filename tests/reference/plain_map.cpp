@@ -29,11 +29,13 @@ std::optional<std::string> violation(PlainMap const& map, Model const& model) {
   auto const next = [&](Dart d, int i) { return t.at(d).at(i)[0]; };
   for (auto const& [d, arcs] : t) {
     for (int const i : model.dimensions) {
-      if (!model.is_oriented(i) && next(next(d, i), i) != d) return fmt::format("the {}-arc of dart {} has no reverse", i, d);
+      if (!model.is_oriented(i) && next(next(d, i), i) != d)
+        return fmt::format("the {}-arc of dart {} has no reverse", i, d);
       if (model.closed && next(d, i) == d) return fmt::format("the {}-arc of dart {} is a loop", i, d);
     }
     for (auto const& [i, j] : model.exchange) {
-      if (next(next(next(next(d, i), j), i), j) != d) return fmt::format("the path {}{}{}{} from dart {} does not return", i, j, i, j, d);
+      if (next(next(next(next(d, i), j), i), j) != d)
+        return fmt::format("the path {}{}{}{} from dart {} does not return", i, j, i, j, d);
     }
   }
   return {};
@@ -67,8 +69,8 @@ bool follow(PlainMap const& a, PlainMap const& b, Renaming& renamed, Renaming& u
 
 }  // namespace
 
-bool isomorphic(PlainMap const& a, PlainMap const& b, std::map<Dart, Dart> const& fixed, std::map<Dart, unsigned> const& colour_a,
-                std::map<Dart, unsigned> const& colour_b) {
+bool isomorphic(PlainMap const& a, PlainMap const& b, std::map<Dart, Dart> const& fixed,
+                std::map<Dart, unsigned> const& colour_a, std::map<Dart, unsigned> const& colour_b) {
   if (a.dimensions != b.dimensions || a.targets.size() != b.targets.size()) return false;
   Renaming renamed, used;
   std::vector<Dart> open;
@@ -83,7 +85,8 @@ bool isomorphic(PlainMap const& a, PlainMap const& b, std::map<Dart, Dart> const
     return found == colours.end() ? std::optional<unsigned>() : found->second;
   };
   auto const colours_agree = [&](Renaming const& r) {
-    return std::all_of(r.begin(), r.end(), [&](auto const& pair) { return colour(colour_a, pair.first) == colour(colour_b, pair.second); });
+    return std::all_of(r.begin(), r.end(),
+                       [&](auto const& pair) { return colour(colour_a, pair.first) == colour(colour_b, pair.second); });
   };
   if (!colours_agree(renamed)) return false;
   // A component without a fixed dart: isomorphic components are interchangeable, so the first partner that fits will do.

@@ -24,7 +24,7 @@ PlainMap plain(Map const& map);
 std::optional<std::string> violation(PlainMap const& map, Model const& model);
 
 /// Is there an isomorphism that maps each dart of `fixed` to its partner and keeps colours? Darts without a colour have none.
-bool isomorphic(PlainMap const& a, PlainMap const& b, std::map<Dart, Dart> const& fixed, std::map<Dart, unsigned> const& colour_a,
-                std::map<Dart, unsigned> const& colour_b);
+bool isomorphic(PlainMap const& a, PlainMap const& b, std::map<Dart, Dart> const& fixed,
+                std::map<Dart, unsigned> const& colour_a, std::map<Dart, unsigned> const& colour_b);
 
 }  // namespace jrule::reference

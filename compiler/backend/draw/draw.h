@@ -1,8 +1,9 @@
-// Pictures: rules as DOT graphs, surfaces as SVG.
+// Pictures: rules as DOT graphs, surfaces and counterexamples as SVG.
 #pragma once
 
 #include <string>
 
+#include "compiler/analysis/counterexample.h"
 #include "compiler/ir/rule_scheme.h"
 #include "jrule/map.h"
 #include "jrule/result.h"
@@ -18,5 +19,9 @@ std::string rule_dot(ir::RuleScheme const& rule);
 /// on vertices; another embedding of type Color on faces colours them. An error for a map without darts, an open face
 /// or a position that is missing or not finite. Cost: O(faces · log faces).
 Result<std::string> surface_svg(Map const& map, int width = 800);
+
+/// The map before and the graph after, side by side: darts as numbered dots, the hooks ringed, arcs coloured and labelled by
+/// dimension, an arrow on those without a reverse, what breaks the model highlighted: a standalone SVG.
+std::string graph_svg(ir::RuleScheme const& rule, analysis::Counterexample const& example);
 
 }  // namespace jrule::draw
