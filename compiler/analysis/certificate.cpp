@@ -17,7 +17,7 @@ class Printer {
     line("certificate of the rule {} on {}, for a {}{}", rule_.name, rule_.modeler->name, ir::map_name(rule_.model()), place(rule_.span));
     line("# L1, R1, I1: an arc of the left side, of the right side, one that the left side implies and that is on both sides");
     line("# (p,q) between two words: letter q moves to letter p, past exchangeable ones, and both cancel; an oriented letter turns");
-    line("# round, 1 to ~1, where it passes or is passed");
+    line("# round, 1 to ~1, where it passes or is passed. That two words are equal is shown by the first times the conjugate of the second");
     print_rule();
     print_left_side();
     print_incident_arcs();
@@ -97,13 +97,13 @@ class Printer {
   void print_left_side() {
     if (!certificate_.placements.empty()) line("where the darts of left nodes lie from those of {}", node(rule_.hooks.front()));
     for (auto const& p : certificate_.placements) {
-      line("  {} at {}: {} says {}", node(p.evidence.node), to_string(p.offset), arc_name(true, p.evidence.arc), chain(p.trace));
+      line("  {} at {}, from {}: {}", node(p.evidence.node), to_string(p.offset), arc_name(true, p.evidence.arc), chain(p.trace));
     }
     if (!certificate_.relations.empty()) line("words that the left side makes ε on the pattern");
     for (std::size_t k = 0; k < certificate_.relations.size(); ++k) {
       auto const& r = certificate_.relations[k];
       static constexpr std::string_view why[] = {"the arc", "the arc and its reverse", "the cycle"};
-      line("  F{}  {}: {} {} says {}", k + 1, to_string(r.word), why[static_cast<std::size_t>(r.evidence.kind)], arc_names(true, r.evidence.arcs),
+      line("  F{}  {}, from {} {}: {}", k + 1, to_string(r.word), why[static_cast<std::size_t>(r.evidence.kind)], arc_names(true, r.evidence.arcs),
            chain(r.trace));
     }
     if (!certificate_.closure.empty()) line("dimensions that lead from the pattern into the pattern");
@@ -121,7 +121,7 @@ class Printer {
       std::string const why = implied.evidence.kind == Kind::reverse ? "the reverse of " + arc_names(true, implied.evidence.arcs)
                               : implied.evidence.kind == Kind::cycle ? "closes the cycle of " + arc_names(true, implied.evidence.arcs)
                                                                      : "there in every map";
-      line("  I{}  {}: {}: {}", k + 1, describe(implied.arc), why, chain(implied.trace));
+      line("  I{}  {}, {}: {}", k + 1, describe(implied.arc), why, chain(implied.trace));
     }
   }
 
@@ -144,7 +144,7 @@ class Printer {
     if (!certificate_.reverses.empty()) line("reverses of added and deleted arcs (paper, Def. 24)");
     for (auto const& entry : certificate_.reverses) {
       std::string const arc = arc_name(!entry.added, entry.arc);
-      print_proof(entry.arc == entry.reverse ? fmt::format("{} is its own", arc) : fmt::format("{} is that of {}", arc_name(!entry.added, entry.reverse), arc),
+      print_proof(entry.arc == entry.reverse ? fmt::format("{} reverses itself", arc) : fmt::format("{} reverses {}", arc_name(!entry.added, entry.reverse), arc),
                   entry.proof);
     }
   }

@@ -71,10 +71,10 @@ struct Completion {
       }
       Word const word = group.product(group.product(first->word, second->word), third->word);
       ir::Arc const arc{end, j, group.inverse(word), start, second->span};
-      ir::Arc const reverse{start, j, word, end, second->span};
       ArcIndex const added = rule.left.arcs.size();
       add_to_both(arc, {ImpliedEvidence::Kind::cycle, {index_of(*first), index_of(*second), index_of(*third)}});
-      if (!rule.model().is_oriented(j) && !reverse.same(arc)) add_to_both(reverse, {ImpliedEvidence::Kind::reverse, {added}});
+      // From a node to itself it is its own reverse, or the left side matches only where it is.
+      if (!rule.model().is_oriented(j) && start != end) add_to_both({start, j, word, end, arc.span}, {ImpliedEvidence::Kind::reverse, {added}});
       return true;
     }
     return false;

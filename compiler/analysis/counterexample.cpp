@@ -122,7 +122,7 @@ struct Searching {
   void run() {
     if (rule.hooks.empty()) return consider(PartialMap(rule.model()), {});
     Dart const nodes = left_nodes();
-    auto const of_interest = [&](Dart size) { return size == 1 ? !refuted() : size * nodes <= largest(); };
+    auto const of_interest = [&](Dart size) { return size * nodes <= largest() || (size == 1 && !refuted()); };
     for (Dart size = 1; size <= exhaustive_size && of_interest(size); ++size) {
       for (PartialMap const& pattern : connected_maps(pattern_model, size, exhaustive_count)) {
         if (tried < budget && of_interest(size)) try_pattern(pattern, 6);

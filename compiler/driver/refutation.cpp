@@ -48,7 +48,7 @@ std::string arcs_of(Map const& map, int dimension) {
 std::string copy_of(ir::RuleScheme const& rule, analysis::Counterexample const& example, Dart d) {
   for (ir::NodeId id = 0; id < rule.nodes.size(); ++id) {
     auto const& copies = example.copies[id];
-    if (std::find(copies.begin(), copies.end(), d) != copies.end()) return fmt::format(" (dart {} is a copy of `{}`)", d, rule.nodes[id].name);
+    if (std::find(copies.begin(), copies.end(), d) != copies.end()) return fmt::format("; dart {} is a copy of `{}`", d, rule.nodes[id].name);
   }
   return {};
 }
@@ -62,8 +62,8 @@ std::string place(ir::RuleScheme const& rule, analysis::Counterexample const& ex
 }
 
 std::vector<std::string> tell(ir::RuleScheme const& rule, analysis::Counterexample const& example) {
-  std::vector<std::string> notes{fmt::format("counterexample: {}, the rule leaves no {}: {}{}", place(rule, example), map_name(rule.model()), example.violation.text,
-                                             copy_of(rule, example, example.violation.dart))};
+  std::vector<std::string> notes{fmt::format("counterexample: {}, the rule leaves no {}: {}{}", place(rule, example), ir::map_name(rule.model()),
+                                             example.violation.text, copy_of(rule, example, example.violation.dart))};
   std::size_t const darts = example.before.dart_count();
   if (darts == 0 || darts > told_darts) return notes;
   for (int const d : rule.model().dimensions) notes.push_back(arcs_of(example.before, d));

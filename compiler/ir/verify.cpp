@@ -26,6 +26,7 @@ Fault verify_side(RuleScheme const& rule, algebra::Group const& group, Side cons
         return fmt::format("an arc on the {} side meets `{}`, which is not there", left ? "left" : "right", node.name);
       }
     }
+    if (rule.hooks.empty() && !arc.word.empty()) return "a rule without hooks has an arc with a word";
     if (!rule.model().has(arc.dimension)) return fmt::format("an arc's dimension {} is not the model's", arc.dimension);
     if (Fault fault = verify_word(group, arc.word)) return fault;
   }

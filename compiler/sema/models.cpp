@@ -243,6 +243,14 @@ std::shared_ptr<ir::Modeler const> elaborate_modeler(ast::Modeler const& declare
     auto const orbit = evaluate_orbit(modeler->model, e.orbit, {}, diagnostics);
     auto const type = resolve_type(e.type, diagnostics);
     if (!orbit || !type) continue;
+    if (std::any_of(orbit->words.begin(), orbit->words.end(), [](Word const& word) { return word.size() > 2; })) {
+      // Along a longer word, a rule can join two orbits that both lie outside of what it matches.
+      diagnostics.add({.code = Code::long_orbit_word, .span = e.orbit.span,
+                       .message = fmt::format("`{}` is on an orbit with a word of more than two letters", e.name.text),
+                       .notes = {"a rule can join such orbits without touching a dart of them, which is not analysed",
+                                 "every cell is an orbit of words of one or two letters"}});
+      continue;
+    }
     EmbeddingSpec spec;
     spec.name = e.name.text;
     spec.orbit = *orbit;

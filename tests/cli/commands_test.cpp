@@ -132,17 +132,24 @@ TEST_F(Commands, ARefusedRuleIsNotApplied) {
 }
 
 TEST_F(Commands, EmitShowsEachStage) {
-  for (std::string const stage : {"ast", "ir", "dot", "cpp"}) {
+  for (std::string const stage : {"ast", "ir", "dot", "cpp", "certificate"}) {
     Outcome const outcome = jrule({"emit", stage, demo("surface.jrule")});
     EXPECT_EQ(outcome.exit_status, 0) << stage << ": " << outcome.output;
     EXPECT_TRUE(contains(outcome.output, "quad_subdivision")) << stage << ": " << outcome.output;
   }
-  for (std::string const stage : {"svg", "certificate"}) {
-    Outcome const outcome = jrule({"emit", stage, demo("surface.jrule")});
-    EXPECT_EQ(outcome.exit_status, 2);
-    EXPECT_TRUE(contains(outcome.output, "[J0902]")) << outcome.output;
-  }
+  Outcome const svg = jrule({"emit", "svg", demo("surface.jrule")});
+  EXPECT_EQ(svg.exit_status, 2);
+  EXPECT_TRUE(contains(svg.output, "[J0902]")) << svg.output;
   EXPECT_EQ(jrule({"emit", "soup", demo("surface.jrule")}).exit_status, 2);
+}
+
+TEST_F(Commands, EmitCertificateLeavesRefusedRulesOut) {
+  Outcome const outcome = jrule({"emit", "certificate", demo("wrong.jrule"), "-o", "out"});
+  EXPECT_EQ(outcome.exit_status, 1);
+  EXPECT_TRUE(contains(outcome.output, "[J0321]")) << outcome.output;
+  EXPECT_FALSE(std::filesystem::exists(folder() / "out/breaks_a_cycle.certificate"));
+  EXPECT_EQ(jrule({"emit", "certificate", demo("surface.jrule"), "-o", "out"}).exit_status, 0);
+  EXPECT_TRUE(contains(content("out/cone.certificate"), "left cycle 2020 from a: L3 L1 L3 L1")) << content("out/cone.certificate");
 }
 
 TEST_F(Commands, EmitCppWritesAHeaderASourceAndADepfile) {

@@ -1,6 +1,8 @@
 // The verdicts where the printed algorithms err, and the plans of accepted rules.
 #include <gtest/gtest.h>
 
+#include "compiler/analysis/certify.h"
+#include "tests/certificate/checker.h"
 #include "tests/unit/rule_fixture.h"
 
 namespace jrule {
@@ -10,8 +12,17 @@ using tests::codes;
 using tests::program_of;
 using Kind = analysis::OrbitComponent::Kind;
 
+/// Accepted rules must have a certificate that the independent checker accepts.
+analysis::Verdict verdict_on(ir::RuleScheme const& rule) {
+  analysis::Verdict verdict = analysis::analyze(rule);
+  if (verdict.accepted()) {
+    EXPECT_EQ(certificate::fault(analysis::certify(rule), rule), std::nullopt);
+  }
+  return verdict;
+}
+
 std::string verdict_on(std::string const& modeler, std::string const& rule) {
-  return codes(analysis::analyze(program_of("modeler M on " + modeler + ";\n" + rule).rules.at(0)));
+  return codes(verdict_on(program_of("modeler M on " + modeler + ";\n" + rule).rules.at(0)));
 }
 
 // Erratum 1: of a cycle of length 2 the four-step word must be trivial, not the two-step one.
@@ -106,7 +117,7 @@ TEST(Closed, LoopsAreRefusedUnlessTheWordMovesEveryDart) {
 
 // ---- Plans ----
 
-analysis::Verdict analyse(std::string const& text) { return analysis::analyze(program_of(text).rules.at(0)); }
+analysis::Verdict analyse(std::string const& text) { return verdict_on(program_of(text).rules.at(0)); }
 
 TEST(Plan, QuadSubdivision) {
   auto const verdict = analyse(

@@ -53,8 +53,8 @@ std::vector<Position> spring_layout(std::size_t count, std::vector<std::pair<Dar
         force[b].y -= dy / square;
       }
       // A pull to the middle keeps components together.
-      force[a].x -= 0.1 * at[a].x;
-      force[a].y -= 0.1 * at[a].y;
+      force[a].x -= 0.5 * at[a].x;
+      force[a].y -= 0.5 * at[a].y;
     }
     for (auto const& [a, b] : links) {
       double const dx = at[a].x - at[b].x, dy = at[a].y - at[b].y;

@@ -221,17 +221,17 @@ std::string legend(Model const& model, double y) {
 std::string graph_svg(ir::RuleScheme const& rule, Counterexample const& example) {
   Model const& model = rule.model();
   Graph const before = analysis::graph_of(example.before);
-  std::vector<std::pair<Dart, Dart>> links;
+  std::set<std::pair<Dart, Dart>> links;
   for (Graph const* graph : {&before, &example.after}) {
     for (Dart d = 0; d < graph->targets.size(); ++d) {
       for (auto const& column : graph->targets[d]) {
         for (Dart const to : column) {
-          if (d != to && std::find(links.begin(), links.end(), std::minmax(d, to)) == links.end()) links.push_back(std::minmax(d, to));
+          if (d != to) links.insert({std::min(d, to), std::max(d, to)});
         }
       }
     }
   }
-  std::vector<Position> at = spring_layout(example.after.targets.size(), links);
+  std::vector<Position> at = spring_layout(example.after.targets.size(), {links.begin(), links.end()});
   Position low, high;
   for (Position const& p : at) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
