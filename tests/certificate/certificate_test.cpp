@@ -179,14 +179,15 @@ bool breaks_maps(analysis::Verdict const& verdict) {
   return !verdict.accepted() && codes.find("J030") == std::string::npos && !dead;
 }
 
-/// An accepted rule has a certificate, of which some mutants are refused.
+/// An accepted rule has a certificate; of some, mutants are made, and refused.
 void examine_accepted(ir::RuleScheme const& rule, std::uint64_t which, Seen& seen) {
   Certificate const certificate = analysis::certify(rule);
   auto const found = fault(certificate, rule);
   if (found) RC_FAIL(*found + "\n" + ir::print(rule) + analysis::print(certificate, rule, {}));
   seen.note(certificate);
+  if (which % 8 != 0) return;
   auto const wrong = mutants(certificate, rule.model());
-  for (std::size_t k = which % 17; k < wrong.size(); k += 17) {
+  for (std::size_t k = which / 8 % 3; k < wrong.size(); k += 3) {
     ++seen.mutants;
     if (!fault(wrong[k].certificate, rule)) RC_FAIL(wrong[k].what + " is not refused\n" + ir::print(rule) + analysis::print(certificate, rule, {}));
   }

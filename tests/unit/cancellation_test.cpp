@@ -81,7 +81,9 @@ TEST_P(Cancelling, EachStepLeavesAWordOfTheSameElement) {
   for (int round = 0; round < 300; ++round) {
     Word const a = random_word(model, 10, random);
     Word word = concatenate(a, conjugate(model, test::random_equal_word(model, a, 24, random)));
-    for (Cancellation const step : cancel(model, word).value()) {
+    auto const steps = cancel(model, word);
+    ASSERT_TRUE(steps) << to_string(word);
+    for (Cancellation const step : *steps) {
       std::size_t const length = word.size();
       word = after(model, word, step);
       ASSERT_EQ(word.size() + 2, length);

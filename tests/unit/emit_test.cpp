@@ -2,6 +2,7 @@
 #include "compiler/backend/cpp/emit.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -96,7 +97,7 @@ struct Emitted {
 };
 
 Emitted emit_module(std::string const& text, Options const& options = {}) {
-  std::filesystem::path const folder = std::filesystem::path(testing::TempDir()) / "jrule_emit_test";
+  std::filesystem::path const folder = std::filesystem::path(testing::TempDir()) / ("jrule_emit_test_" + std::to_string(getpid()));  // tests run side by side
   std::filesystem::create_directories(folder);
   std::string const path = (folder / "shapes.jrule").string();
   std::ofstream(path, std::ios::binary) << text;
