@@ -23,7 +23,8 @@ constexpr std::size_t improvements = 150;
 /// The model of some dimensions alone: of the pattern, before the rest of the map is there.
 Model restricted(Model model, std::set<int> const& dimensions) {
   model.dimensions.assign(dimensions.begin(), dimensions.end());
-  std::erase_if(model.exchange, [&](auto const& pair) { return model.column(pair.first) < 0 || model.column(pair.second) < 0; });
+  std::erase_if(model.exchange,
+                [&](auto const& pair) { return model.column(pair.first) < 0 || model.column(pair.second) < 0; });
   return model;
 }
 
@@ -63,7 +64,8 @@ struct Searching {
     ++applications;
     if (outcome == LiteralApplication::Outcome::map) return;
     bool const doubled = outcome == LiteralApplication::Outcome::doubled_arcs;
-    if (!best || std::pair(doubled, map.size()) < std::pair(best->doubled, best->map.size())) best = Found{map, hooks, doubled};
+    if (!best || std::pair(doubled, map.size()) < std::pair(best->doubled, best->map.size()))
+      best = Found{map, hooks, doubled};
   }
 
   struct Instance {
@@ -91,7 +93,9 @@ struct Searching {
     }
     for (ir::Arc const& arc : rule.left.arcs) {
       for (Dart u = 0; u < pattern.size(); ++u) {
-        if (!instance.map.set(first[arc.source] + u, column(arc.dimension), first[arc.target] + pattern.walk(u, arc.word))) return {};
+        if (!instance.map.set(first[arc.source] + u, column(arc.dimension),
+                              first[arc.target] + pattern.walk(u, arc.word)))
+          return {};
       }
     }
     for (ir::NodeId const hook : rule.hooks) instance.hooks.push_back(first[hook]);
@@ -99,7 +103,8 @@ struct Searching {
   }
 
   Dart left_nodes() const {
-    return static_cast<Dart>(std::count_if(rule.nodes.begin(), rule.nodes.end(), [](ir::Node const& node) { return !node.added(); }));
+    return static_cast<Dart>(
+        std::count_if(rule.nodes.begin(), rule.nodes.end(), [](ir::Node const& node) { return !node.added(); }));
   }
 
   /// Completes the instance in so many ways.
@@ -110,11 +115,12 @@ struct Searching {
     if (instance->map.complete()) return consider(instance->map, instance->hooks);
     PartialMap::Mark const mark = instance->map.mark();
     for (std::size_t k = 0; k < ways; ++k) {
-      // At first no new darts and mostly loops, so that small maps come first.
+      // At first no new darts and only loops, so that small maps come first; later at times room for a second copy.
       Manner const manner = k == 0 ? Manner{100, 0, false} : draw_manner(choices);
-      Dart const room = k == 0 ? 0 : static_cast<Dart>(choices.below(2 * k + 2));
+      Dart const room = k == 0 ? 0 : choices.percent(30) ? mark.size : static_cast<Dart>(choices.below(2 * k + 2));
       if (k > 0) ++tried;
-      if (complete(instance->map, std::min(mark.size + room, std::max(largest(), mark.size)), manner, choices)) consider(instance->map, instance->hooks);
+      if (complete(instance->map, std::min(mark.size + room, std::max(largest(), mark.size)), manner, choices))
+        consider(instance->map, instance->hooks);
       instance->map.undo(mark);
     }
   }
@@ -145,10 +151,12 @@ struct Searching {
   std::optional<Counterexample> counterexample() {
     if (!best) return {};
     // What lies apart from the match has no part in it.
-    if (application.apply(best->map, best->hooks) == LiteralApplication::Outcome::no_match) throw std::logic_error("a counterexample is lost");
+    if (application.apply(best->map, best->hooks) == LiteralApplication::Outcome::no_match)
+      throw std::logic_error("a counterexample is lost");
     std::vector<Dart> matched;
     for (ir::NodeId id = 0; id < rule.nodes.size(); ++id) {
-      if (!rule.nodes[id].added()) matched.insert(matched.end(), application.copies()[id].begin(), application.copies()[id].end());
+      if (!rule.nodes[id].added())
+        matched.insert(matched.end(), application.copies()[id].begin(), application.copies()[id].end());
     }
     std::vector<Dart> kept = best->hooks;
     kept.insert(kept.end(), matched.begin(), matched.end());

@@ -21,7 +21,8 @@ Found outgoing_arcs(Graph const& graph, std::size_t column, int i) {
     if (!live) {
       if (to.empty()) continue;
       text = fmt::format("dart {} is deleted, but its {}-arc is not", d, i);
-    } else if (auto const erased = std::find_if(to.begin(), to.end(), [&](Dart t) { return !graph.contains(t); }); erased != to.end()) {
+    } else if (auto const erased = std::find_if(to.begin(), to.end(), [&](Dart t) { return !graph.contains(t); });
+               erased != to.end()) {
       text = fmt::format("dart {}: its {}-arc leads to dart {}, which is deleted", d, i, *erased);
     } else if (to.size() == 1) {
       continue;
@@ -62,7 +63,8 @@ Graph graph_of(Map const& map) {
   graph.targets.resize(map.dart_limit(), std::vector<std::vector<Dart>>(map.model().dimensions.size()));
   graph.darts = map.darts();
   for (Dart const d : graph.darts) {
-    for (int const i : map.model().dimensions) graph.targets[d][static_cast<std::size_t>(map.model().column(i))] = {map.target(d, i)};
+    for (int const i : map.model().dimensions)
+      graph.targets[d][static_cast<std::size_t>(map.model().column(i))] = {map.target(d, i)};
   }
   return graph;
 }
@@ -80,23 +82,26 @@ std::optional<Violation> find_violation(Graph const& graph, Model const& model) 
     for (Dart const d : graph.darts) {
       Dart const to = next(d, i), back = next(to, i);
       if (back == d) continue;
-      return Violation{Violation::Kind::non_orientation, d, i, -1,
-                       fmt::format("dart {}: its {}-arc leads to dart {}, whose {}-arc leads to dart {}", d, i, to, i, back)};
+      return Violation{
+          Violation::Kind::non_orientation, d, i, -1,
+          fmt::format("dart {}: its {}-arc leads to dart {}, whose {}-arc leads to dart {}", d, i, to, i, back)};
     }
   }
   for (auto const& [i, j] : model.exchange) {
     for (Dart const d : graph.darts) {
       Dart const end = next(next(next(next(d, i), j), i), j);
       if (end == d) continue;
-      return Violation{Violation::Kind::cycle, d, i, j,
-                       fmt::format("dart {}: the path {}{}{}{} does not return (it ends at dart {})", d, i, j, i, j, end)};
+      return Violation{
+          Violation::Kind::cycle, d, i, j,
+          fmt::format("dart {}: the path {}{}{}{} does not return (it ends at dart {})", d, i, j, i, j, end)};
     }
   }
   if (!model.closed) return {};
   for (int const i : model.dimensions) {
     for (Dart const d : graph.darts) {
       if (next(d, i) != d) continue;
-      return Violation{Violation::Kind::closed, d, i, -1, fmt::format("dart {}: its {}-arc is a loop, but the model {} is closed", d, i, model.name)};
+      return Violation{Violation::Kind::closed, d, i, -1,
+                       fmt::format("dart {}: its {}-arc is a loop, but the model {} is closed", d, i, model.name)};
     }
   }
   return {};

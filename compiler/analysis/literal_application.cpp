@@ -196,7 +196,8 @@ bool LiteralApplication::is_map_but_for_doubled() const {
 }
 
 LiteralApplication::Outcome LiteralApplication::judge() const {
-  bool const parallel = std::all_of(extras_.begin(), extras_.end(), [&](Extra const& e) { return out_[e.column][e.from] == e.to; });
+  bool const parallel =
+      std::all_of(extras_.begin(), extras_.end(), [&](Extra const& e) { return out_[e.column][e.from] == e.to; });
   if (!parallel || !is_map_but_for_doubled()) return Outcome::broken;
   return extras_.empty() ? Outcome::map : Outcome::doubled_arcs;
 }
@@ -212,7 +213,8 @@ Graph LiteralApplication::result() const {
   graph.targets.resize(live_.size());
   for (Dart d = 0; d < live_.size(); ++d) {
     if (live_[d]) graph.darts.push_back(d);
-    for (auto const& column : out_) graph.targets[d].push_back(column[d] == no_dart ? std::vector<Dart>{} : std::vector<Dart>{column[d]});
+    for (auto const& column : out_)
+      graph.targets[d].push_back(column[d] == no_dart ? std::vector<Dart>{} : std::vector<Dart>{column[d]});
   }
   for (Extra const& extra : extras_) {
     auto& targets = graph.targets[extra.from][extra.column];

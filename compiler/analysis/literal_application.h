@@ -1,5 +1,5 @@
-// The application of any rule, sound or not, as the paper writes it (sections 6.1 to 6.3): arcs of the left that are not on
-// the right are deleted, arcs of the right that are not on the left added, unmatched arcs stay.
+// The application of any rule, sound or not, as the paper writes it (sections 6.1 to 6.3): arcs of the left that are
+// not on the right are deleted, arcs of the right that are not on the left added, unmatched arcs stay.
 #pragma once
 
 #include <vector>
@@ -21,8 +21,8 @@ class LiteralApplication {
     doubled_arcs,  ///< it is one, but for arcs that are there twice
     broken,
   };
-  /// Applies the rule to a map without missing arcs, one dart for each hook. Unmatched arcs of a deleted dart stay too: where
-  /// the dangling condition fails, the result shows why. What follows is of the last application.
+  /// Applies the rule to a map without missing arcs, one dart for each hook. Unmatched arcs of a deleted dart stay
+  /// too: where the dangling condition fails, the result shows why. What follows is of the last application.
   Outcome apply(PartialMap const& map, std::vector<Dart> const& hooks);
 
   Graph result() const;
@@ -35,7 +35,7 @@ class LiteralApplication {
     std::size_t column;
     std::size_t word;  // index in words_
     ir::NodeId target;
-    bool changed;      // not on the other side
+    bool changed;  // not on the other side
   };
   struct Placing {
     ArcUse arc;

@@ -3,7 +3,10 @@
 namespace jrule::analysis {
 
 PartialMap::PartialMap(Model model)
-    : model_(std::move(model)), exchanged_(model_.dimensions.size()), out_(model_.dimensions.size()), in_(model_.dimensions.size()) {
+    : model_(std::move(model)),
+      exchanged_(model_.dimensions.size()),
+      out_(model_.dimensions.size()),
+      in_(model_.dimensions.size()) {
   for (auto const& [i, j] : model_.exchange) {
     auto const a = static_cast<std::size_t>(model_.column(i)), b = static_cast<std::size_t>(model_.column(j));
     exchanged_[a].push_back(b);

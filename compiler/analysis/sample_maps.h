@@ -1,4 +1,5 @@
-// Small maps of any model: all connected ones of few darts, and random completions of a map that has some arcs already.
+// Small maps of any model: all connected ones of few darts, and random completions of a map that has some arcs
+// already.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +23,8 @@ class Choices {
   std::uint64_t state_ = 0x9e3779b97f4a7c15U;
 };
 
-/// Every connected map with exactly that many darts, up to renaming the darts but dart 0: Γ's transitive actions with a base
-/// point, its subgroups of that index. Stops after `most` of them.
+/// Every connected map with exactly that many darts, up to renaming the darts but dart 0: Γ's transitive actions with
+/// a base point, its subgroups of that index. Stops after `most` of them.
 std::vector<PartialMap> connected_maps(Model const& model, Dart darts, std::size_t most);
 
 /// How missing arcs are drawn, in percent; otherwise an arc leads to some dart that has none coming in.
@@ -34,8 +35,8 @@ struct Manner {
 };
 Manner draw_manner(Choices& choices);
 
-/// Draws the missing arcs, with new darts up to `limit` in all. False, and the map as it was, if within some steps no map was
-/// found.
+/// Draws the missing arcs, with new darts up to `limit` in all. False, and the map as it was, if within some steps no
+/// map was found.
 bool complete(PartialMap& map, Dart limit, Manner manner, Choices& choices);
 
 }  // namespace jrule::analysis

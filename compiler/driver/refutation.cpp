@@ -17,12 +17,15 @@ namespace {
 /// Maps of at most that many darts are told arc by arc.
 constexpr std::size_t told_darts = 8;
 
-bool is_topological(analysis::Refusal const& refusal) { return source::info(refusal.diagnostic.code).number.starts_with("J03"); }
+bool is_topological(analysis::Refusal const& refusal) {
+  return source::info(refusal.diagnostic.code).number.starts_with("J03");
+}
 
 bool is_dead_left(analysis::Refusal const& refusal) {
   using source::Code;
   Code const code = refusal.diagnostic.code;
-  return code == Code::dead_arc || code == Code::dead_cycle || code == Code::dead_clash || code == Code::dead_fixed_dart;
+  return code == Code::dead_arc || code == Code::dead_cycle || code == Code::dead_clash ||
+         code == Code::dead_fixed_dart;
 }
 
 /// "0: 0-1 2-2": a loop leads from a dart to itself; "1: 0>1>2>0" for an oriented dimension.
@@ -48,7 +51,8 @@ std::string arcs_of(Map const& map, int dimension) {
 std::string copy_of(ir::RuleScheme const& rule, analysis::Counterexample const& example, Dart d) {
   for (ir::NodeId id = 0; id < rule.nodes.size(); ++id) {
     auto const& copies = example.copies[id];
-    if (std::find(copies.begin(), copies.end(), d) != copies.end()) return fmt::format("; dart {} is a copy of `{}`", d, rule.nodes[id].name);
+    if (std::find(copies.begin(), copies.end(), d) != copies.end())
+      return fmt::format("; dart {} is a copy of `{}`", d, rule.nodes[id].name);
   }
   return {};
 }
@@ -56,14 +60,17 @@ std::string copy_of(ir::RuleScheme const& rule, analysis::Counterexample const& 
 std::string place(ir::RuleScheme const& rule, analysis::Counterexample const& example) {
   if (rule.hooks.empty()) return "applied to the empty map";
   std::vector<std::string> hooks;
-  for (std::size_t h = 0; h < rule.hooks.size(); ++h) hooks.push_back(fmt::format("dart {} (hook `{}`)", example.hooks[h], rule.nodes[rule.hooks[h]].name));
+  for (std::size_t h = 0; h < rule.hooks.size(); ++h)
+    hooks.push_back(fmt::format("dart {} (hook `{}`)", example.hooks[h], rule.nodes[rule.hooks[h]].name));
   std::size_t const darts = example.before.dart_count();
-  return fmt::format("in this map of {} dart{}, applied at {}", darts, darts == 1 ? "" : "s", fmt::join(hooks, " and "));
+  return fmt::format("in this map of {} dart{}, applied at {}", darts, darts == 1 ? "" : "s",
+                     fmt::join(hooks, " and "));
 }
 
 std::vector<std::string> tell(ir::RuleScheme const& rule, analysis::Counterexample const& example) {
-  std::vector<std::string> notes{fmt::format("counterexample: {}, the rule leaves no {}: {}{}", place(rule, example), ir::map_name(rule.model()),
-                                             example.violation.text, copy_of(rule, example, example.violation.dart))};
+  std::vector<std::string> notes{fmt::format("counterexample: {}, the rule leaves no {}: {}{}", place(rule, example),
+                                             ir::map_name(rule.model()), example.violation.text,
+                                             copy_of(rule, example, example.violation.dart))};
   std::size_t const darts = example.before.dart_count();
   if (darts == 0 || darts > told_darts) return notes;
   for (int const d : rule.model().dimensions) notes.push_back(arcs_of(example.before, d));
@@ -71,7 +78,8 @@ std::vector<std::string> tell(ir::RuleScheme const& rule, analysis::Counterexamp
 }
 
 std::string file_name(std::string rule) {
-  std::replace_if(rule.begin(), rule.end(), [](char c) { return c == '[' || c == ']' || c == ','; }, '_');
+  std::replace_if(
+      rule.begin(), rule.end(), [](char c) { return c == '[' || c == ']' || c == ','; }, '_');
   return rule;
 }
 
@@ -79,7 +87,8 @@ std::string file_name(std::string rule) {
 
 void refute(ir::RuleScheme const& rule, analysis::Verdict& verdict, CounterexampleFiles* files) {
   auto const first = std::find_if(verdict.refusals.begin(), verdict.refusals.end(), is_topological);
-  if (first == verdict.refusals.end() || std::any_of(verdict.refusals.begin(), verdict.refusals.end(), is_dead_left)) return;
+  if (first == verdict.refusals.end() || std::any_of(verdict.refusals.begin(), verdict.refusals.end(), is_dead_left))
+    return;
   auto& notes = first->diagnostic.notes;
   analysis::Search const search = analysis::search_counterexample(rule);
   if (!search.counterexample) {

@@ -17,9 +17,9 @@ struct CounterexampleFiles {
   std::vector<File> files;
 };
 
-/// Searches a counterexample for a rule that is refused for topology, unless its left side is known to match nothing, and adds
-/// it to the notes of the first such refusal: the map, the hooks and the violation, or that there is none. With `files`, adds
-/// the map before and the graph after to them, and a picture.
+/// Searches a counterexample for a rule that is refused for topology, unless its left side is known to match nothing,
+/// and adds it to the notes of the first such refusal: the map, the hooks and the violation, or that there is none.
+/// With `files`, adds the map before and the graph after to them, and a picture.
 void refute(ir::RuleScheme const& rule, analysis::Verdict& verdict, CounterexampleFiles* files);
 
 }  // namespace jrule::driver

@@ -135,15 +135,17 @@ class Checker {
     for (auto const& [evidence, claimed, trace] : c_.placements) {
       Arc const& a = written(evidence.arc);
       demand(evidence.node == (evidence.forwards ? a.target : a.source), "an arc that does not place the node");
-      Word const given = evidence.forwards ? Words::join({words_.reverse(a.word), offset(a.source), {letter(a.dimension, false)}})
-                                           : Words::join({a.word, offset(a.target), {letter(a.dimension, true)}});
+      Word const before = evidence.forwards ? words_.reverse(a.word) : a.word;
+      Word const& from = offset(evidence.forwards ? a.source : a.target);
+      Word const given = Words::join({before, from, {letter(a.dimension, !evidence.forwards)}});
       words_.vanishes(Words::join({given, words_.reverse(claimed)}), trace, "placement");
       demand(offsets_.emplace(evidence.node, claimed).second, "a node placed twice");
     }
   }
 
   Word around(Arc const& a) const {
-    return Words::join({offset(a.source), {letter(a.dimension, false)}, words_.reverse(offset(a.target)), words_.reverse(a.word)});
+    Word const &from = offset(a.source), &to = offset(a.target);
+    return Words::join({from, {letter(a.dimension, false)}, words_.reverse(to), words_.reverse(a.word)});
   }
 
   void check_relations() const {
@@ -211,7 +213,9 @@ class Checker {
         demand(evidence.kind == Kind::placement && rests_on.empty(), "an arc that is placed rests on no other");
         in_pattern(implied.word);
       }
-      words_.vanishes(evidence.kind == Kind::placement ? around(implied) : Words::join({given, implied.word}), trace, "implied arc");
+      given = Words::join({given, implied.word});
+      if (evidence.kind == Kind::placement) given = around(implied);
+      words_.vanishes(given, trace, "implied arc");
       left_.push_back(implied);
       right_.push_back(implied);
     }

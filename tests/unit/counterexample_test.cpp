@@ -1,5 +1,5 @@
-// Counterexamples hold: the reference engine, which shares nothing with the search, breaks the same maps. And sound rules have
-// none.
+// Counterexamples hold: the reference engine, which shares nothing with the search, breaks the same maps. And sound
+// rules have none.
 #include "compiler/analysis/counterexample.h"
 
 #include <gtest/gtest.h>
@@ -26,12 +26,14 @@ using tests::program_of;
 
 std::set<std::string> code_set(analysis::Verdict const& verdict) {
   std::set<std::string> numbers;
-  for (analysis::Refusal const& refusal : verdict.refusals) numbers.emplace(source::info(refusal.diagnostic.code).number);
+  for (analysis::Refusal const& refusal : verdict.refusals)
+    numbers.emplace(source::info(refusal.diagnostic.code).number);
   return numbers;
 }
 
 bool dead_left(std::set<std::string> const& numbers) {
-  return std::any_of(numbers.begin(), numbers.end(), [](std::string const& n) { return n == "J0331" || n == "J0332" || n == "J0334" || n == "J0335"; });
+  return std::any_of(numbers.begin(), numbers.end(),
+                     [](std::string const& n) { return n == "J0331" || n == "J0332" || n == "J0334" || n == "J0335"; });
 }
 
 std::size_t arc_count(analysis::Graph const& graph) {
@@ -58,7 +60,8 @@ void expect_confirmed(ir::RuleScheme const& rule, Counterexample const& example,
   auto const derivation = reference::derive(rule, reference::plain(example.before), example.hooks);
   if (!derivation) {
     // The rule matches, but leaves arcs dangling: there is no double pushout.
-    EXPECT_TRUE(numbers.contains("J0303") && derivation.error().find("deleted dart") != std::string::npos) << derivation.error();
+    EXPECT_TRUE(numbers.contains("J0303") && derivation.error().find("deleted dart") != std::string::npos)
+        << derivation.error();
     EXPECT_EQ(example.violation.kind, Violation::Kind::incident_arcs);
     return;
   }
@@ -93,8 +96,10 @@ std::vector<Refused> const refused{
     {"gmap(2)", "left { hook a <0>; hook b <0>; b -2- b; } right { a; b; a -2- b; }", "J0304"},
     {"gmap(2)", "left { hook a <0>; b <0>; a -2- b; } right { a; b; }", "J0305 J0305"},
     {"omap(3)", "left { hook a <1>; a -2- a; } right { a; }", "J0305"},
-    {"gmap(2)", "left { hook a <0,1>; a -2- a; } right { a; b <0,1>; c <0,1>; a -2-> b; b -2-> c; c -2-> a; }", "J0311 J0311 J0311"},
-    {"gmap(2)", "left { hook a <>; b; c; a -1-> b; b -2- c; } right { a; b; c; a -1-> b; b -2- b; c -2- c; }", "J0324 J0323 J0323"},
+    {"gmap(2)", "left { hook a <0,1>; a -2- a; } right { a; b <0,1>; c <0,1>; a -2-> b; b -2-> c; c -2-> a; }",
+     "J0311 J0311 J0311"},
+    {"gmap(2)", "left { hook a <>; b; c; a -1-> b; b -2- c; } right { a; b; c; a -1-> b; b -2- b; c -2- c; }",
+     "J0324 J0323 J0323"},
     {"omap(2)", "left { hook a <1>; b <~1>; a -2-> b; } right { a; b; a -2[1]-> b; }", "J0312 J0311"},
     {"omap(2)", "left { hook a <1>; b <~1>; a -2- b; } right { a; b; a -2-> a; b -2[1]-> b; }", "J0313"},
     {"gmap(2)", "left { hook a <0,1,2>; } right { a <0,1,2>; b <1,0,2>; }", "J0321"},
@@ -134,13 +139,15 @@ TEST(Counterexample, IsConfirmedByTheReferenceEngine) {
   }
 }
 
-// The rules of the golden tests: those that are refused have counterexamples unless no map matches them, the others none.
+// The rules of the golden tests: those that are refused have counterexamples unless no map matches them, the others
+// none.
 TEST(Counterexample, AgreesWithTheVerdictsOnTheGoldenRules) {
   namespace fs = std::filesystem;
   std::set<fs::path> files;
   for (auto const& entry : fs::directory_iterator(JRULE_SOURCE_DIR "/tests/golden/topology")) {
     // That one file has errors before the analysis too.
-    if (entry.path().extension() == ".jrule" && entry.path().stem() != "several-errors-fail") files.insert(entry.path());
+    if (entry.path().extension() == ".jrule" && entry.path().stem() != "several-errors-fail")
+      files.insert(entry.path());
   }
   std::size_t accepted = 0, refuted = 0;
   std::set<std::string> seen;
@@ -171,7 +178,8 @@ TEST(Counterexample, AgreesWithTheVerdictsOnTheGoldenRules) {
   }
   EXPECT_GE(accepted, 20U);
   EXPECT_GE(refuted, 25U);
-  EXPECT_EQ(seen, (std::set<std::string>{"J0301", "J0302", "J0303", "J0304", "J0305", "J0311", "J0312", "J0313", "J0321", "J0323", "J0324", "J0333", "J0341"}));
+  EXPECT_EQ(seen, (std::set<std::string>{"J0301", "J0302", "J0303", "J0304", "J0305", "J0311", "J0312", "J0313",
+                                         "J0321", "J0323", "J0324", "J0333", "J0341"}));
 }
 
 TEST(Counterexample, IsTheSameEachTime) {
@@ -185,7 +193,8 @@ TEST(Counterexample, IsTheSameEachTime) {
 
 TEST(Counterexample, IsAsSmallAsCanBe) {
   // An edge sewn along one end only: its two darts, and their neighbours along 0.
-  auto const example = find_counterexample(rule_on("gmap(2)", "left { hook a <>; c; a -2- c; } right { a; c; a -2- a; c -2- c; }"));
+  auto const example =
+      find_counterexample(rule_on("gmap(2)", "left { hook a <>; c; a -2- c; } right { a; c; a -2- a; c -2- c; }"));
   ASSERT_TRUE(example);
   EXPECT_EQ(example->before.dart_count(), 4U);
   EXPECT_EQ(example->violation.kind, Violation::Kind::cycle);
@@ -193,7 +202,8 @@ TEST(Counterexample, IsAsSmallAsCanBe) {
 }
 
 TEST(Counterexample, OfALeftSideThatNothingMatchesThereIsNone) {
-  analysis::Search const search = analysis::search_counterexample(rule_on("gmap(2)", "left { hook a <0,1,2>; a -2- a; } right { a; }"));
+  analysis::Search const search =
+      analysis::search_counterexample(rule_on("gmap(2)", "left { hook a <0,1,2>; a -2- a; } right { a; }"));
   EXPECT_FALSE(search.counterexample);
   EXPECT_EQ(search.applications, 0U);
 }
@@ -214,7 +224,8 @@ TEST(Graph, SaysWhatIsWrong) {
   EXPECT_EQ(violation({0, 1}, {{{1}, {0}}, {{1}, {1}}}), "dart 1: two 0-arcs lead to it, from darts 0 and 1");
   EXPECT_EQ(violation({0}, {{{1}, {0}}, {{}, {}}}), "dart 0: its 0-arc leads to dart 1, which is deleted");
   EXPECT_EQ(violation({0}, {{{0}, {0}}, {{}, {1}}}), "dart 1 is deleted, but its 1-arc is not");
-  EXPECT_EQ(violation({0, 1, 2}, {{{1}, {0}}, {{2}, {1}}, {{0}, {2}}}), "dart 0: its 0-arc leads to dart 1, whose 0-arc leads to dart 2");
+  EXPECT_EQ(violation({0, 1, 2}, {{{1}, {0}}, {{2}, {1}}, {{0}, {2}}}),
+            "dart 0: its 0-arc leads to dart 1, whose 0-arc leads to dart 2");
 }
 
 // A graph that is a map is judged and printed as the map is.

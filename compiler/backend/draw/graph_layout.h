@@ -12,8 +12,9 @@ struct Position {
   double x = 0, y = 0;
 };
 
-/// Places `count` darts so that those with a link lie near each other and others apart: from a circle, in the order in which
-/// links reach them, by Fruchterman's and Reingold's springs. Neighbours come about 1 apart. Equal input, equal layout.
+/// Places `count` darts so that those with a link lie near each other and others apart: from a circle, in the order in
+/// which links reach them, by Fruchterman's and Reingold's springs. Neighbours come about 1 apart. Equal input, equal
+/// layout.
 std::vector<Position> spring_layout(std::size_t count, std::vector<std::pair<Dart, Dart>> const& links);
 
 }  // namespace jrule::draw

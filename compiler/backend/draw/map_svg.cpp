@@ -21,17 +21,22 @@ constexpr double dart_radius = 11, scale = 78, margin = 56;
 constexpr char const *broken_color = "#ffb300", *added_color = "#c8e6c9", *deleted_color = "#ffcdd2";
 
 std::string color_of(int dimension) {
-  static constexpr char const* colors[] = {"#212121", "#c62828", "#1565c0", "#2e7d32", "#ef6c00", "#6a1b9a", "#00838f", "#ad1457", "#5d4037", "#827717"};
+  static constexpr char const* colors[] = {"#212121", "#c62828", "#1565c0", "#2e7d32", "#ef6c00",
+                                           "#6a1b9a", "#00838f", "#ad1457", "#5d4037", "#827717"};
   return colors[dimension];
 }
 
 std::string escape(std::string const& text) {
   std::string result;
   for (char const c : text) {
-    if (c == '&') result += "&amp;";
-    else if (c == '<') result += "&lt;";
-    else if (c == '>') result += "&gt;";
-    else result += c;
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '>')
+      result += "&gt;";
+    else
+      result += c;
   }
   return result;
 }
@@ -61,7 +66,8 @@ struct Panel {
         if (std::find(to.begin(), to.end(), d) != to.end()) return true;
       }
     }
-    return d < graph.targets.size() && std::any_of(graph.targets[d].begin(), graph.targets[d].end(), [](auto const& to) { return !to.empty(); });
+    return d < graph.targets.size() &&
+           std::any_of(graph.targets[d].begin(), graph.targets[d].end(), [](auto const& to) { return !to.empty(); });
   }
 
   std::vector<Line> lines() const {
@@ -92,13 +98,17 @@ struct Panel {
 
   void path(std::string const& d, Line const& line) {
     int const dimension = model.dimensions[line.column];
-    if (line.broken) svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"8\" stroke-linecap=\"round\" opacity=\"0.75\"/>\n", d, broken_color);
+    if (line.broken)
+      svg += fmt::format(
+          "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"8\" stroke-linecap=\"round\" opacity=\"0.75\"/>\n",
+          d, broken_color);
     svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.8\"/>\n", d, color_of(dimension));
   }
 
   void label(Position p, Line const& line) {
     int const dimension = model.dimensions[line.column];
-    svg += fmt::format("<text class=\"d\" x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n", p.x, p.y + 3.5, color_of(dimension), dimension);
+    svg += fmt::format("<text class=\"d\" x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n", p.x, p.y + 3.5,
+                       color_of(dimension), dimension);
   }
 
   /// The tip at the rim of the dart `end`, coming from `from`.
@@ -106,8 +116,9 @@ struct Panel {
     double const length = std::max(std::hypot(end.x - from.x, end.y - from.y), 1e-6);
     double const x = (end.x - from.x) / length, y = (end.y - from.y) / length;
     Position const tip{end.x - x * dart_radius, end.y - y * dart_radius}, back{tip.x - 8 * x, tip.y - 8 * y};
-    svg += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}Z\" fill=\"{}\"/>\n", tip.x, tip.y, back.x - 3.5 * y, back.y + 3.5 * x,
-                       back.x + 3.5 * y, back.y - 3.5 * x, color_of(model.dimensions[line.column]));
+    svg += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}Z\" fill=\"{}\"/>\n", tip.x, tip.y,
+                       back.x - 3.5 * y, back.y + 3.5 * x, back.x + 3.5 * y, back.y - 3.5 * x,
+                       color_of(model.dimensions[line.column]));
   }
 
   /// The k-th of several lines between two darts, bent apart from the others.
@@ -116,7 +127,8 @@ struct Panel {
     double const length = std::max(std::hypot(b.x - a.x, b.y - a.y), 1e-6);
     // The same side for both directions.
     double const sign = line.from < line.to ? 1 : -1;
-    Position const control{(a.x + b.x) / 2 - sign * bend * (b.y - a.y) / length, (a.y + b.y) / 2 + sign * bend * (b.x - a.x) / length};
+    Position const control{(a.x + b.x) / 2 - sign * bend * (b.y - a.y) / length,
+                           (a.y + b.y) / 2 + sign * bend * (b.x - a.x) / length};
     path(fmt::format("M{:.1f} {:.1f}Q{:.1f} {:.1f} {:.1f} {:.1f}", a.x, a.y, control.x, control.y, b.x, b.y), line);
     if (!line.both_ways) arrow(control, b, line);
     label({(a.x + b.x) / 4 + control.x / 2, (a.y + b.y) / 4 + control.y / 2}, line);
@@ -124,9 +136,13 @@ struct Panel {
 
   void draw_loop(Line const& line, double angle) {
     Position const a = at[line.from];
-    auto const point = [&](double turn, double radius) { return Position{a.x + radius * std::cos(angle + turn), a.y + radius * std::sin(angle + turn)}; };
+    auto const point = [&](double turn, double radius) {
+      return Position{a.x + radius * std::cos(angle + turn), a.y + radius * std::sin(angle + turn)};
+    };
     Position const p = point(-0.42, 46), q = point(0.42, 46);
-    path(fmt::format("M{:.1f} {:.1f}C{:.1f} {:.1f} {:.1f} {:.1f} {:.1f} {:.1f}", a.x, a.y, p.x, p.y, q.x, q.y, a.x, a.y), line);
+    path(
+        fmt::format("M{:.1f} {:.1f}C{:.1f} {:.1f} {:.1f} {:.1f} {:.1f} {:.1f}", a.x, a.y, p.x, p.y, q.x, q.y, a.x, a.y),
+        line);
     if (!line.both_ways) arrow(q, a, line);
     label(point(0, 35), line);
   }
@@ -147,10 +163,17 @@ struct Panel {
   void draw_dart(Dart d) {
     Position const p = at[d];
     bool const live = graph.contains(d), broken = broken_darts.contains(d);
-    char const* const fill = broken ? broken_color : added.contains(d) ? added_color : deleted.contains(d) ? deleted_color : "#ffffff";
-    if (hooks.contains(d)) svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"none\" stroke=\"#212121\"/>\n", p.x, p.y, dart_radius + 4);
-    svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"{}\" stroke=\"#212121\"{}/>\n<text class=\"n\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", p.x, p.y,
-                       dart_radius, fill, live ? "" : " stroke-dasharray=\"3 2\"", p.x, p.y + 4, d);
+    char const* const fill = broken                ? broken_color
+                             : added.contains(d)   ? added_color
+                             : deleted.contains(d) ? deleted_color
+                                                   : "#ffffff";
+    if (hooks.contains(d))
+      svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"none\" stroke=\"#212121\"/>\n", p.x, p.y,
+                         dart_radius + 4);
+    svg += fmt::format(
+        "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"{}\" stroke=\"#212121\"{}/>\n<text class=\"n\" "
+        "x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
+        p.x, p.y, dart_radius, fill, live ? "" : " stroke-dasharray=\"3 2\"", p.x, p.y + 4, d);
   }
 
   std::string draw() {
@@ -199,13 +222,19 @@ std::string legend(Model const& model, double y) {
   std::string text;
   double x = 20;
   for (int const d : model.dimensions) {
-    text += fmt::format("<path d=\"M{:.1f} {:.1f}h24\" stroke=\"{}\" stroke-width=\"1.8\"/><text x=\"{:.1f}\" y=\"{:.1f}\">{}-arc</text>\n", x, y, color_of(d), x + 29, y + 4, d);
+    text += fmt::format(
+        "<path d=\"M{:.1f} {:.1f}h24\" stroke=\"{}\" stroke-width=\"1.8\"/><text x=\"{:.1f}\" "
+        "y=\"{:.1f}\">{}-arc</text>\n",
+        x, y, color_of(d), x + 29, y + 4, d);
     x += 76;
   }
   x = 28;
   y += 26;
   auto const add = [&](char const* fill, std::string const& what) {
-    text += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"7\" fill=\"{}\" stroke=\"#212121\"/><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x, y, fill, x + 14, y + 4, what);
+    text += fmt::format(
+        "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"7\" fill=\"{}\" stroke=\"#212121\"/><text x=\"{:.1f}\" "
+        "y=\"{:.1f}\">{}</text>\n",
+        x, y, fill, x + 14, y + 4, what);
     x += 34 + 7 * static_cast<double>(what.size());
   };
   text += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"10\" fill=\"none\" stroke=\"#212121\"/>\n", x, y);
@@ -239,9 +268,11 @@ std::string graph_svg(ir::RuleScheme const& rule, Counterexample const& example)
   }
   double const top = 64;
   for (Position& p : at) p = {(p.x - low.x) * scale + margin, (p.y - low.y) * scale + margin + top};
-  double const panel_width = std::max((high.x - low.x) * scale + 2 * margin, 240.0), panel_height = (high.y - low.y) * scale + 2 * margin;
+  double const panel_width = std::max((high.x - low.x) * scale + 2 * margin, 240.0),
+               panel_height = (high.y - low.y) * scale + 2 * margin;
   std::string const story = "after: " + example.violation.text;
-  double const width = std::max({2 * panel_width, 7.2 * static_cast<double>(story.size()) + 40, 76.0 * static_cast<double>(model.dimensions.size()) + 40, 460.0});
+  double const width = std::max({2 * panel_width, 7.2 * static_cast<double>(story.size()) + 40,
+                                 76.0 * static_cast<double>(model.dimensions.size()) + 40, 460.0});
   double const height = top + panel_height + 68;
 
   Panel left{before, model, at, {example.hooks.begin(), example.hooks.end()}, {}, {}, {}, {}};
@@ -256,12 +287,20 @@ std::string graph_svg(ir::RuleScheme const& rule, Counterexample const& example)
   }
   mark_violation(right, example.violation);
 
-  std::string svg = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\">\n", width, height);
-  svg += "<style>text{font:13px Helvetica,Arial,sans-serif}.n{text-anchor:middle;font-size:11px}.d{text-anchor:middle;font-size:11px;paint-order:stroke;"
-         "stroke:#ffffff;stroke-width:3px}</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
-  svg += fmt::format("<text x=\"20\" y=\"26\" style=\"font-weight:bold\">{}</text>\n<text x=\"20\" y=\"46\">{}</text>\n",
-                     escape(fmt::format("{} on {}: before, and after", rule.name, rule.modeler->name)), escape(story));
-  if (before.darts.empty()) svg += fmt::format("<text x=\"20\" y=\"{:.1f}\">(the empty map)</text>\n", top + panel_height / 2);
+  std::string svg = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
+      "{1:.0f}\">\n",
+      width, height);
+  svg +=
+      "<style>text{font:13px "
+      "Helvetica,Arial,sans-serif}.n{text-anchor:middle;font-size:11px}.d{text-anchor:middle;font-size:11px;paint-"
+      "order:stroke;"
+      "stroke:#ffffff;stroke-width:3px}</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+  svg +=
+      fmt::format("<text x=\"20\" y=\"26\" style=\"font-weight:bold\">{}</text>\n<text x=\"20\" y=\"46\">{}</text>\n",
+                  escape(fmt::format("{} on {}: before, and after", rule.name, rule.modeler->name)), escape(story));
+  if (before.darts.empty())
+    svg += fmt::format("<text x=\"20\" y=\"{:.1f}\">(the empty map)</text>\n", top + panel_height / 2);
   svg += "<g>\n" + left.draw() + "</g>\n";
   svg += fmt::format("<path d=\"M{0:.1f} {1:.1f}V{2:.1f}\" stroke=\"#bdbdbd\"/>\n", width / 2, top, top + panel_height);
   svg += fmt::format("<g transform=\"translate({:.1f} 0)\">\n", width / 2) + right.draw() + "</g>\n";
