@@ -33,7 +33,7 @@ class Configuration : public testing::Environment {
 
 }  // namespace
 
-int case_count() { return std::stoi(variable("JRULE_CASES", "8000")); }
+int case_count() { return std::stoi(variable("JRULE_CASES", "10000")); }
 
 std::ostream& operator<<(std::ostream& out, Case const& c) {
   out << "operation " << c.operation << ", mutations";
