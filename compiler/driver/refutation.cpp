@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "compiler/analysis/counterexample.h"
+#include "compiler/analysis/counterexample/counterexample.h"
 #include "compiler/backend/draw/draw.h"
 #include "jrule/io.h"
 

@@ -1,6 +1,6 @@
 // Counterexamples hold: the reference engine, which shares nothing with the search, breaks the same maps. And sound
 // rules have none.
-#include "compiler/analysis/counterexample.h"
+#include "compiler/analysis/counterexample/counterexample.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <iterator>
 #include <set>
 
-#include "compiler/analysis/sample_maps.h"
+#include "compiler/analysis/counterexample/sample_maps.h"
 #include "compiler/backend/draw/draw.h"
 #include "jrule/io.h"
 #include "tests/reference/engine.h"

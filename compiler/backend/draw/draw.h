@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "compiler/analysis/counterexample.h"
+#include "compiler/analysis/counterexample/counterexample.h"
 #include "compiler/ir/rule_scheme.h"
 #include "jrule/map.h"
 #include "jrule/result.h"

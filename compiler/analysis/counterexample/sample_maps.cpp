@@ -1,4 +1,4 @@
-#include "compiler/analysis/sample_maps.h"
+#include "compiler/analysis/counterexample/sample_maps.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "compiler/analysis/graph.h"
+#include "compiler/analysis/counterexample/graph.h"
 #include "compiler/ir/rule_scheme.h"
 #include "jrule/map.h"
 

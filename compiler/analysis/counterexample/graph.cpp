@@ -1,4 +1,4 @@
-#include "compiler/analysis/graph.h"
+#include "compiler/analysis/counterexample/graph.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "compiler/analysis/partial_map.h"
+#include "compiler/analysis/counterexample/partial_map.h"
 
 namespace jrule::analysis {
 

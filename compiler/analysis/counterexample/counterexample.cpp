@@ -1,11 +1,11 @@
-#include "compiler/analysis/counterexample.h"
+#include "compiler/analysis/counterexample/counterexample.h"
 
 #include <algorithm>
 #include <set>
 #include <stdexcept>
 
-#include "compiler/analysis/literal_application.h"
-#include "compiler/analysis/sample_maps.h"
+#include "compiler/analysis/counterexample/literal_application.h"
+#include "compiler/analysis/counterexample/sample_maps.h"
 
 namespace jrule::analysis {
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "compiler/analysis/graph.h"
-#include "compiler/analysis/partial_map.h"
+#include "compiler/analysis/counterexample/graph.h"
+#include "compiler/analysis/counterexample/partial_map.h"
 #include "compiler/ir/rule_scheme.h"
 
 namespace jrule::analysis {

@@ -1,4 +1,4 @@
-#include "compiler/analysis/literal_application.h"
+#include "compiler/analysis/counterexample/literal_application.h"
 
 #include <algorithm>
 

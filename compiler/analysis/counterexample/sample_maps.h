@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "compiler/analysis/partial_map.h"
+#include "compiler/analysis/counterexample/partial_map.h"
 
 namespace jrule::analysis {
 
