@@ -35,12 +35,15 @@ Verdict analyze(ir::RuleScheme const& rule) {
   PatternWords const words(rule, group, placement);
   append(verdict.refusals, check_incident_arcs(rule));
   append_new_dimensions(verdict.refusals, check_non_orientation(rule, group, words));
-  if (!verdict.accepted()) return verdict;
-  append(verdict.refusals, check_closedness(rule));
   Completed const completed = complete(rule, group, placement, words);
-  append(verdict.refusals, completed.dead);
-  if (completed.dead.empty()) append(verdict.refusals, check_dead_left(rule, group, placement, words));
-  if (completed.dead.empty()) append(verdict.refusals, check_cycles(completed.rule, group, words));
+  // What two arcs of one dimension imply is not worth saying.
+  if (!gives_two_arcs(rule.left)) {
+    append(verdict.refusals, completed.dead);
+    if (completed.dead.empty()) append(verdict.refusals, check_dead_left(rule, group, placement, words));
+  }
+  if (!verdict.accepted()) return verdict;
+  append(verdict.refusals, check_closedness(rule, words));
+  append(verdict.refusals, check_cycles(completed.rule, group, words));
   if (!verdict.accepted()) return verdict;
   EmbeddingAnalysis embeddings = analyze_embeddings(completed.rule);
   append(verdict.refusals, std::move(embeddings.refusals));

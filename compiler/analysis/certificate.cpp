@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "compiler/source/place.h"
 
 namespace jrule::analysis {
@@ -72,11 +74,29 @@ class Printer {
     return text;
   }
 
+  std::string generator_name(Generator const& generator) const {
+    using Kind = Generator::Kind;
+    if (generator.kind == Kind::hook_type) return fmt::format("{} of the hook's type", to_string(Word{rule_.hook_type[generator.index]}));
+    return fmt::format("the word of {}", arc_name(generator.kind == Kind::left_word, generator.index));
+  }
+
+  // Nothing where the letters of the word itself are walked.
+  std::string describe(Walk const& walk) const {
+    bool const letters = std::all_of(walk.steps.begin(), walk.steps.end(), [](PatternStep const& step) { return step.letter.has_value(); });
+    if (letters) return "";
+    std::string text;
+    for (PatternStep const& step : walk.steps) {
+      text += text.empty() ? " along " : ", ";
+      text += step.letter ? to_string(Word{*step.letter}) : (step.backwards ? "the conjugate of " : "") + generator_name(step.generator);
+    }
+    return fmt::format("{}: {}", text, chain(walk.trace));
+  }
+
   void print_proof(std::string const& what, Proof const& proof) {
     line("  {}: {}", what, proof.steps.empty() ? chain(proof.trace) : fmt::format("{} is ε on the pattern", to_string(proof.word)));
     Word word = proof.word;
     for (Proof::Step const& step : proof.steps) {
-      std::string const prefix = step.prefix.empty() ? "" : fmt::format(" after {}", to_string(step.prefix));
+      std::string const prefix = step.prefix.empty() ? "" : fmt::format(" after {}{}", to_string(step.prefix), describe(step.walk));
       line("    {} is {}, by {}F{}{}: {}", to_string(word), to_string(step.result), step.conjugate ? "the conjugate of " : "", step.relation + 1, prefix,
            chain(step.trace));
       word = step.result;
@@ -103,16 +123,15 @@ class Printer {
     for (std::size_t k = 0; k < certificate_.relations.size(); ++k) {
       auto const& r = certificate_.relations[k];
       static constexpr std::string_view why[] = {"the arc", "the arc and its reverse", "the cycle"};
-      line("  F{}  {}, from {} {}: {}", k + 1, to_string(r.word), why[static_cast<std::size_t>(r.evidence.kind)], arc_names(true, r.evidence.arcs),
-           chain(r.trace));
+      std::string const from = r.evidence.kind == RelationEvidence::Kind::single_dart
+                                   ? fmt::format("{}, since the hook {} determines a single dart", generator_name(r.evidence.generator), node(rule_.hooks[r.evidence.hook]))
+                                   : fmt::format("{} {}", why[static_cast<std::size_t>(r.evidence.kind)], arc_names(true, r.evidence.arcs));
+      line("  F{}  {}, from {}: {}", k + 1, to_string(r.word), from, chain(r.trace));
     }
     if (!certificate_.closure.empty()) line("dimensions that lead from the pattern into the pattern");
     for (auto const& c : certificate_.closure) {
-      using Kind = ClosureEvidence::Kind;
-      line("  {}: {}", c.dimension,
-           c.kind == Kind::hook_type  ? "of the hook's type"
-           : c.kind == Kind::relation ? fmt::format("F{}", c.index + 1)
-                                      : fmt::format("the word of {}", arc_name(c.kind == Kind::left_word, c.index)));
+      bool const hook_type = !c.relation && c.generator.kind == Generator::Kind::hook_type;
+      line("  {}: {}", c.dimension, hook_type ? "of the hook's type" : c.relation ? fmt::format("F{}", *c.relation + 1) : generator_name(c.generator));
     }
     if (!certificate_.implied.empty()) line("arcs that the left side implies");
     for (std::size_t k = 0; k < certificate_.implied.size(); ++k) {
@@ -120,7 +139,7 @@ class Printer {
       using Kind = ImpliedEvidence::Kind;
       std::string const why = implied.evidence.kind == Kind::reverse ? "the reverse of " + arc_names(true, implied.evidence.arcs)
                               : implied.evidence.kind == Kind::cycle ? "closes the cycle of " + arc_names(true, implied.evidence.arcs)
-                                                                     : "there in every map";
+                                                                     : "there in every map" + describe(implied.walk);
       line("  I{}  {}, {}: {}", k + 1, describe(implied.arc), why, chain(implied.trace));
     }
   }
@@ -172,7 +191,7 @@ class Printer {
     if (!certificate_.no_loops.empty()) line("added arcs that are no loops, since single letters move every dart");
     for (auto const& entry : certificate_.no_loops) {
       auto const& [by, letter] = entry.conjugation;
-      line("  {} carries {} between {} and its conjugate: {}", arc_name(false, entry.arc), to_string(Word{letter}), to_string(by), chain(entry.trace));
+      print_proof(fmt::format("{} carries {} between {} and its conjugate", arc_name(false, entry.arc), to_string(Word{letter}), to_string(by)), entry.proof);
     }
   }
 

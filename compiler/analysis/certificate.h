@@ -22,11 +22,18 @@ struct Vanishing {
   algebra::Cancellations steps;  ///< empty it
 };
 
+/// A word leads from the pattern into the pattern: each of the steps does.
+struct Walk {
+  std::vector<PatternStep> steps;
+  Vanishing trace;  ///< of the steps' words times the conjugate of the word
+};
+
 /// A word acts as ε on the pattern: for all pattern darts u, u·word = u. Each step multiplies it in front by p·r·p̄, which acts as
 /// ε since p leads from the pattern into the pattern and r is a relation, or the conjugate of one.
 struct Proof {
   struct Step {
-    Word prefix;               ///< p, of dimensions under which the pattern is closed
+    Word prefix;               ///< p
+    Walk walk;                 ///< along p
     std::size_t relation = 0;  ///< r
     bool conjugate = false;
     Word result;      ///< = p·r·p̄·word in Γ,
@@ -57,6 +64,7 @@ struct Certificate {
     ir::Arc arc;
     ImpliedEvidence evidence;
     Vanishing trace;  ///< of x_s·d·x̄_t·w̄ for a placement; else of the product of the words of the evidence and its own
+    Walk walk;        ///< along its word, for a placement
   };
   std::vector<Placement> placements;
   std::vector<Relation> relations;
@@ -90,11 +98,12 @@ struct Certificate {
     std::vector<ArcIndex> left, right;
     Proof proof;
   };
-  /// Of a closed model, an added arc from a node to itself is no loop: its word is by·letter·b̄y, and single letters fix no dart.
+  /// Of a closed model, an added arc from a node to itself is no loop: its word leads where by·letter·b̄y does, and single letters
+  /// fix no dart.
   struct NoLoop {
     ArcIndex arc = 0;
     algebra::ConjugateOfLetter conjugation;
-    Vanishing trace;  ///< of by·letter·b̄y times the conjugate of the arc's word
+    Proof proof;  ///< of the arc's word times by·(conjugate of the letter)·b̄y
   };
   std::vector<IncidentArcs> incident_arcs;
   std::vector<Reverse> reverses;

@@ -50,17 +50,44 @@ class Certifier {
   Proof prove(Word word) {
     auto const derivation = words_.derive(word);
     if (!derivation) unproved(to_string(word) + " = ε on the pattern");
+    return prove(*derivation, {});
+  }
+
+  /// That what is derived acts as ε, with `after` behind it.
+  Proof prove(Derivation const& derivation, Word const& after) {
+    Word word = joined({derivation.word, after});
     Proof proof{word, {}, {}};
-    for (Derivation::Step const& step : derivation->steps) {
-      for (Letter const letter : step.prefix) close(letter.dimension);
+    for (Derivation::Step const& step : derivation.steps) {
       std::size_t const relation = relate(step.relation);
       Word const& r = words_.relations()[step.relation].word;
       Word const product = joined({step.prefix, step.conjugate ? conjugate(r) : r, conjugate(step.prefix), word});
-      proof.steps.push_back({step.prefix, relation, step.conjugate, step.result, trace(joined({product, conjugate(step.result)}))});
-      word = step.result;
+      Word const result = joined({step.result, after});
+      proof.steps.push_back({step.prefix, walk(step.prefix), relation, step.conjugate, result, trace(joined({product, conjugate(result)}))});
+      word = result;
     }
     proof.trace = trace(word);
     return proof;
+  }
+
+  Word word_of(Generator const& generator) const {
+    switch (generator.kind) {
+      case Generator::Kind::left_word: return rule_.left.arcs[generator.index].word;
+      case Generator::Kind::right_word: return rule_.right.arcs[generator.index].word;
+      case Generator::Kind::hook_type: break;
+    }
+    return {rule_.hook_type[generator.index]};
+  }
+
+  Walk walk(Word const& word) {
+    auto const steps = words_.walk_in_pattern(word);
+    if (!steps) unproved(to_string(word) + " stays in the pattern");
+    Word walked;
+    for (PatternStep const& step : *steps) {
+      if (step.letter) close(step.letter->dimension);
+      Word const along = step.letter ? Word{*step.letter} : word_of(step.generator);
+      walked = joined({walked, step.backwards ? conjugate(along) : along});
+    }
+    return {*steps, trace(joined({walked, conjugate(word)}))};
   }
 
   // ---- What the left side says, listed when it is first needed ----
@@ -90,6 +117,8 @@ class Certifier {
     Word given;
     if (relation.evidence.kind == RelationEvidence::Kind::arc) {
       given = around(rule_.left.arcs[relation.evidence.arcs.front()]);
+    } else if (relation.evidence.kind == RelationEvidence::Kind::single_dart) {
+      given = word_of(relation.evidence.generator);
     } else {
       for (ArcIndex const arc : relation.evidence.arcs) given = joined({given, rule_.left.arcs[arc].word});
     }
@@ -105,10 +134,9 @@ class Certifier {
     auto const found = std::find_if(all.begin(), all.end(), [&](ClosureEvidence const& c) { return c.dimension == dimension; });
     if (found == all.end()) unproved("a closed pattern");
     ClosureEvidence evidence = *found;
-    if (evidence.kind == ClosureEvidence::Kind::relation) {
-      for (Letter const letter : words_.relations()[evidence.index].word) close(letter.dimension);
-      evidence.index = relate(evidence.index);
-    }
+    Word const word = evidence.relation ? words_.relations()[*evidence.relation].word : word_of(evidence.generator);
+    for (Letter const letter : word) close(letter.dimension);
+    if (evidence.relation) evidence.relation = relate(*evidence.relation);
     certificate_.closure.push_back(evidence);
   }
 
@@ -118,14 +146,15 @@ class Certifier {
       ir::Arc const& arc = arcs[rule_.left.arcs.size() + k];
       ImpliedEvidence const& evidence = completed_.implied[k];
       Word given;
+      Walk along;
       if (evidence.kind == ImpliedEvidence::Kind::placement) {
-        for (Letter const letter : arc.word) close(letter.dimension);
+        along = walk(arc.word);
         given = around(arc);
       } else {
         for (ArcIndex const other : evidence.arcs) given = joined({given, arcs[other].word});
         given = joined({given, arc.word});
       }
-      certificate_.implied.push_back({arc, evidence, trace(given)});
+      certificate_.implied.push_back({arc, evidence, trace(given), std::move(along)});
     }
   }
 
@@ -190,10 +219,11 @@ class Certifier {
   void check_loops() {
     for (ir::Arc const& arc : right_.side.arcs) {
       if (arc.source != arc.target || !right_.changed(arc)) continue;
-      auto const conjugation = algebra::conjugate_of_letter(group_, arc.word);
-      if (!conjugation) unproved("an arc that is no loop");
-      Word const word = joined({conjugation->by, {conjugation->letter}, conjugate(conjugation->by), conjugate(arc.word)});
-      certificate_.no_loops.push_back({right_.index_of(arc), *conjugation, trace(word)});
+      auto const derivation = words_.derive_conjugate_of_letter(arc.word);
+      if (!derivation) unproved("an arc that is no loop");
+      auto const conjugation = *algebra::conjugate_of_letter(group_, derivation->steps.empty() ? arc.word : derivation->steps.back().result);
+      Word const same = joined({conjugation.by, {conjugation.letter}, conjugate(conjugation.by)});
+      certificate_.no_loops.push_back({right_.index_of(arc), conjugation, prove(*derivation, conjugate(same))});
     }
   }
 

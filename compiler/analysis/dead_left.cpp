@@ -40,6 +40,14 @@ Refusals check_dead_left(ir::RuleScheme const& rule, algebra::Group const& group
   Refusals refusals;
   check_clashes(rule, group, placement, words, refusals);
   if (!rule.model().closed) return refusals;
+  for (ir::Arc const& arc : rule.left.arcs) {
+    if (arc.source != arc.target || !words.trivial(arc.word)) continue;
+    refusals.push_back({{.code = Code::dead_fixed_dart, .span = arc.span,
+                         .message = fmt::format("no map matches the left side: {} is a loop", describe(rule, arc)),
+                         .notes = {fmt::format("in a {} no arc leads from a dart to itself", map_name(rule.model()))}},
+                        arc.source, arc.dimension, -1});
+    return refusals;
+  }
   for (Relation const& relation : words.relations()) {
     if (!group.is_conjugate_to_letter(relation.word)) continue;
     refusals.push_back({{.code = Code::dead_fixed_dart, .span = relation.span,

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <set>
+
 #include "compiler/analysis/wording.h"
 
 namespace jrule::analysis {
@@ -117,6 +120,13 @@ Refusals check_incident_arcs(ir::RuleScheme const& rule) {
     }
   }
   return std::move(check.refusals);
+}
+
+bool gives_two_arcs(ir::Side const& side) {
+  std::set<std::pair<ir::NodeId, int>> leave, enter;
+  return !std::all_of(side.arcs.begin(), side.arcs.end(), [&](ir::Arc const& arc) {
+    return leave.emplace(arc.source, arc.dimension).second && enter.emplace(arc.target, arc.dimension).second;
+  });
 }
 
 }  // namespace jrule::analysis

@@ -11,4 +11,7 @@ namespace jrule::analysis {
 /// but for single arcs of a non-oriented dimension at added, deleted or newly joined nodes, which check_non_orientation refuses.
 Refusals check_incident_arcs(ir::RuleScheme const& rule);
 
+/// Does some node have two arcs of one dimension on this side, leaving or entering it?
+bool gives_two_arcs(ir::Side const& side);
+
 }  // namespace jrule::analysis

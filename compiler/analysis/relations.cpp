@@ -12,9 +12,18 @@
 namespace jrule::analysis {
 
 PatternWords::PatternWords(ir::RuleScheme const& rule, algebra::Group const& group, Placement const& placement) : group_(group) {
+  using Kind = Generator::Kind;
+  auto const generate = [&](Word const& word, Generator generator) {
+    bool const known = std::any_of(generators_.begin(), generators_.end(), [&](GeneratorWord const& g) { return g.word == word; });
+    if (!word.empty() && !known) generators_.push_back({word, generator});
+  };
+  for (std::size_t k = 0; k < rule.hook_type.size(); ++k) generate(group.normal_form({rule.hook_type[k]}), {Kind::hook_type, k});
+  for (ArcIndex k = 0; k < rule.left.arcs.size(); ++k) generate(rule.left.arcs[k].word, {Kind::left_word, k});
+  for (ArcIndex k = 0; k < rule.right.arcs.size(); ++k) generate(rule.right.arcs[k].word, {Kind::right_word, k});
   add_arcs(rule, placement);
   add_cycles(rule);
-  close(rule);
+  add_single_dart(rule);
+  close();
 }
 
 void PatternWords::add(Word word, std::string reason, source::Span span, RelationEvidence evidence) {
@@ -74,48 +83,163 @@ void PatternWords::add_cycles(ir::RuleScheme const& rule) {
   }
 }
 
-void PatternWords::close(ir::RuleScheme const& rule) {
-  using Kind = ClosureEvidence::Kind;
-  auto const set = [&](int d, Kind kind, std::size_t index) {
-    if (closed_under(d)) return;
-    closed_ = static_cast<std::uint16_t>(closed_ | (1U << d));
-    closure_.push_back({d, kind, index});
-  };
-  for (std::size_t k = 0; k < rule.hook_type.size(); ++k) set(rule.hook_type[k].dimension, Kind::hook_type, k);
-  for (auto const& [side, kind] : {std::pair{&rule.left, Kind::left_word}, std::pair{&rule.right, Kind::right_word}}) {
-    for (ArcIndex k = 0; k < side->arcs.size(); ++k) {
-      if (side->arcs[k].word.size() == 1) set(side->arcs[k].word.front().dimension, kind, k);
+// Only its own loops say where the copies of a further hook lie (theory: section 2). Without any, that is said of one dart.
+void PatternWords::add_single_dart(ir::RuleScheme const& rule) {
+  for (std::size_t h = 1; h < rule.hooks.size(); ++h) {
+    ir::NodeId const hook = rule.hooks[h];
+    bool const walked = std::any_of(rule.left.arcs.begin(), rule.left.arcs.end(),
+                                    [&](ir::Arc const& arc) { return arc.source == hook && arc.target == hook && !arc.word.empty(); });
+    if (walked) continue;
+    for (GeneratorWord const& g : generators_) {
+      add(g.word, fmt::format("the hook `{}` has no loop that carries a path, so the left side matches only where the pattern is a single dart", rule.nodes[hook].name),
+          *rule.nodes[hook].left_span, {RelationEvidence::Kind::single_dart, {}, h, g.generator});
     }
+    return;
   }
-  // A relation d·w = ε with w in the pattern says that d leads where w̄ does.
+}
+
+void PatternWords::close() {
+  // The letter stands between letters that stay in the pattern: it is walked from a dart of the pattern, and what follows leads
+  // from a dart of the pattern only if it was one.
+  auto const only_other = [&](Word const& word) -> std::optional<int> {
+    std::optional<int> other;
+    for (Letter const letter : word) {
+      if (closed_under(letter.dimension)) continue;
+      if (other) return {};
+      other = letter.dimension;
+    }
+    return other;
+  };
+  auto const set = [&](int d, ClosureEvidence evidence) {
+    closed_ = static_cast<std::uint16_t>(closed_ | (1U << d));
+    evidence.dimension = d;
+    closure_.push_back(evidence);
+  };
   bool changed = true;
   while (changed) {
     changed = false;
+    for (GeneratorWord const& g : generators_) {
+      if (auto const d = only_other(g.word)) set(*d, {0, {}, g.generator}), changed = true;
+    }
     for (std::size_t r = 0; r < relations_.size(); ++r) {
-      std::optional<int> other;
-      int others = 0;
-      for (Letter const letter : relations_[r].word) {
-        if (closed_under(letter.dimension)) continue;
-        other = letter.dimension;
-        ++others;
-      }
-      // It must stand first or last: between other letters, it is walked from a dart of the pattern all the same, since all
-      // letters before it stay there.
-      if (others == 1) {
-        set(*other, Kind::relation, r);
-        changed = true;
-      }
+      if (auto const d = only_other(relations_[r].word)) set(*d, {0, r, {}}), changed = true;
+    }
+  }
+  auto const closed = [&](Letter letter) { return closed_under(letter.dimension); };
+  for (GeneratorWord const& g : generators_) {
+    for (bool const backwards : {false, true}) {
+      Word const word = backwards ? group_.inverse(g.word) : g.word;
+      auto const first = std::find_if_not(word.begin(), word.end(), closed);
+      if (first == word.end()) break;
+      auto const last = std::find_if_not(word.rbegin(), std::make_reverse_iterator(first), closed).base();
+      strides_.push_back({{word.begin(), first}, {first, last}, {last, word.end()}, {{}, g.generator, backwards}});
     }
   }
 }
 
-bool PatternWords::stays_in_pattern(Word const& word) const {
-  return std::all_of(word.begin(), word.end(), [&](Letter letter) { return closed_under(letter.dimension); });
+// Every relation of Γ has an even number of each letter, so how often each occurs, modulo 2, is a sum of generators' in any product
+// of them; and a letter that no generator has occurs in no normal form of one. Cheap, and enough to refuse most words.
+bool PatternWords::may_be_walked(Word const& word) const {
+  auto const parity = [](Word const& w) {
+    unsigned bits = 0;
+    for (Letter const letter : w) bits ^= 1U << letter.dimension;
+    return bits;
+  };
+  unsigned letters = closed_;
+  std::vector<unsigned> basis;
+  auto const reduce = [&](unsigned bits) {
+    for (unsigned const b : basis) bits = std::min(bits, bits ^ b);
+    return bits;
+  };
+  auto const extend = [&](unsigned bits) {
+    bits = reduce(bits);
+    if (bits != 0) basis.push_back(bits);
+    std::sort(basis.rbegin(), basis.rend());
+  };
+  for (int d = 0; d <= max_dimension; ++d) {
+    if (closed_under(d)) extend(1U << d);
+  }
+  for (GeneratorWord const& g : generators_) {
+    for (Letter const letter : g.word) letters |= 1U << letter.dimension;
+    extend(parity(g.word));
+  }
+  Word const normal = group_.normal_form(word);
+  bool const known = std::all_of(normal.begin(), normal.end(), [&](Letter letter) { return ((letters >> letter.dimension) & 1U) != 0; });
+  return known && reduce(parity(normal)) == 0;
+}
+
+// Letters under which the pattern is closed, and among them at most one generator as it stands.
+std::optional<std::vector<PatternStep>> PatternWords::direct_walk(Word const& word) const {
+  auto const closed = [&](Letter letter) { return closed_under(letter.dimension); };
+  auto const first = std::find_if_not(word.begin(), word.end(), closed);
+  auto const last = std::find_if_not(word.rbegin(), std::make_reverse_iterator(first), closed).base();
+  std::vector<PatternStep> steps;
+  for (auto letter = word.begin(); letter != first; ++letter) steps.push_back({*letter, {}, false});
+  if (first == word.end()) return steps;
+  Word const middle(first, last);
+  auto const along = std::find_if(strides_.begin(), strides_.end(), [&](Stride const& stride) { return stride.core == middle; });
+  if (along == strides_.end()) return {};
+  // The generator is before·core·after.
+  for (Letter const letter : group_.inverse(along->before)) steps.push_back({letter, {}, false});
+  steps.push_back(along->step);
+  for (Letter const letter : group_.inverse(along->after)) steps.push_back({letter, {}, false});
+  for (auto letter = last; letter != word.end(); ++letter) steps.push_back({*letter, {}, false});
+  return steps;
+}
+
+std::optional<std::vector<PatternStep>> PatternWords::walk_in_pattern(Word const& word) const {
+  if (auto direct = direct_walk(word)) return direct;
+  if (strides_.empty() || !may_be_walked(word)) return {};
+  std::vector<std::pair<Word, PatternStep>> strides;
+  for (Stride const& stride : strides_) strides.push_back({group_.product(group_.product(stride.before, stride.core), stride.after), stride.step});
+  for (int const d : group_.model().dimensions) {
+    if (!closed_under(d)) continue;
+    for (bool const conjugate : {false, true}) {
+      Letter const letter{static_cast<std::uint8_t>(d), conjugate};
+      if (!conjugate || group_.model().is_oriented(d)) strides.push_back({{letter}, {letter, {}, false}});
+    }
+  }
+  // What is still to be walked, shortest first.
+  struct Reached { Word from; std::size_t stride; };
+  std::map<Word, Reached> reached;
+  auto const longer = [](Word const& a, Word const& b) { return std::pair(a.size(), a) > std::pair(b.size(), b); };
+  std::priority_queue<Word, std::vector<Word>, decltype(longer)> open(longer);
+  Word const start = group_.normal_form(word);
+  std::size_t limit = start.size();
+  for (auto const& [along, step] : strides) limit = std::max(limit, start.size() + along.size());
+  constexpr std::size_t max_words = 200;  // the words of rules are short
+  reached[start] = {};
+  open.push(start);
+  while (!open.empty() && reached.size() < max_words) {
+    Word const at = open.top();
+    open.pop();
+    for (std::size_t k = 0; k < strides.size(); ++k) {
+      Word next = group_.product(group_.inverse(strides[k].first), at);
+      if (next.size() > limit || reached.contains(next)) continue;
+      reached[next] = {at, k};
+      if (next.empty()) {
+        std::vector<PatternStep> steps;
+        for (Word back = next; back != start; back = reached[back].from) steps.push_back(strides[reached[back].stride].second);
+        std::reverse(steps.begin(), steps.end());
+        return steps;
+      }
+      open.push(std::move(next));
+    }
+  }
+  return {};
 }
 
 std::optional<Derivation> PatternWords::derive(Word const& word) const {
+  return search(word, [](Word const& w) { return w.empty(); });
+}
+
+std::optional<Derivation> PatternWords::derive_conjugate_of_letter(Word const& word) const {
+  return search(word, [&](Word const& w) { return group_.is_conjugate_to_letter(w); });
+}
+
+std::optional<Derivation> PatternWords::search(Word const& word, std::function<bool(Word const&)> const& goal) const {
   Word const start = group_.normal_form(word);
-  if (start.empty()) return Derivation{word, {}};
+  if (goal(start)) return Derivation{word, {}};
   if (relations_.empty()) return {};
 
   struct Reached { Word from; Derivation::Step step; };
@@ -125,16 +249,19 @@ std::optional<Derivation> PatternWords::derive(Word const& word) const {
   std::size_t longest = 0;
   for (Relation const& relation : relations_) longest = std::max(longest, relation.word.size());
   std::size_t const limit = start.size() + longest;
-  constexpr std::size_t max_words = 2000;  // words are short and relations few: what is not found by then hardly exists
+  constexpr std::size_t max_words = 400;  // words are short and relations few: what is not found by then hardly exists
 
   reached[start] = {};
   open.push(start);
   while (!open.empty() && reached.size() < max_words) {
     Word const at = open.top();
     open.pop();
+    bool closed = true;
     for (std::size_t cut = 0; cut <= at.size(); ++cut) {
       Word const prefix(at.begin(), at.begin() + static_cast<std::ptrdiff_t>(cut));
-      if (!stays_in_pattern(prefix)) break;
+      closed = closed && (cut == 0 || closed_under(at[cut - 1].dimension));
+      if (!closed && strides_.empty()) break;
+      if (!closed && !direct_walk(prefix)) continue;
       Word const rest(at.begin() + static_cast<std::ptrdiff_t>(cut), at.end());
       for (std::size_t r = 0; r < relations_.size(); ++r) {
         for (bool const conjugate : {false, true}) {
@@ -142,7 +269,7 @@ std::optional<Derivation> PatternWords::derive(Word const& word) const {
           Word next = group_.product(group_.product(prefix, inserted), rest);
           if (next.size() > limit || reached.contains(next)) continue;
           reached[next] = {at, {prefix, r, conjugate, next}};
-          if (next.empty()) {
+          if (goal(next)) {
             Derivation derivation{word, {}};
             for (Word back = next; back != start; back = reached[back].from) derivation.steps.push_back(reached[back].step);
             std::reverse(derivation.steps.begin(), derivation.steps.end());

@@ -118,8 +118,25 @@ class Checker {
     return found;
   }
   Letter letter(int dimension, bool backwards) const { return {static_cast<std::uint8_t>(dimension), backwards && words_.oriented(dimension)}; }
-  void in_pattern(Word const& word) const {
-    for (Letter const l : word) demand(closed_.contains(l.dimension), "a word that may leave the pattern");
+  /// The pattern is defined as closed under this word.
+  Word word_of(analysis::Generator const& generator) const {
+    using Kind = analysis::Generator::Kind;
+    if (generator.kind == Kind::hook_type) {
+      demand(generator.index < rule_.hook_type.size(), "a letter that the hook's type lacks");
+      return {rule_.hook_type[generator.index]};
+    }
+    Arcs const& arcs = generator.kind == Kind::left_word ? rule_.left.arcs : rule_.right.arcs;
+    demand(generator.index < arcs.size(), "the word of an arc that is not written");
+    return arcs[generator.index].word;
+  }
+  void in_pattern(Word const& word, analysis::Walk const& walk) const {
+    Word walked;
+    for (auto const& [letter, generator, backwards] : walk.steps) {
+      if (letter) demand(!backwards && closed_.contains(letter->dimension), "a step that may leave the pattern");
+      Word const along = letter ? Word{*letter} : word_of(generator);
+      walked = Words::join({walked, backwards ? words_.reverse(along) : along});
+    }
+    words_.vanishes(Words::join({walked, words_.reverse(word)}), walk.trace, "walk");
   }
 
   // ---- What the left side says ----
@@ -160,6 +177,12 @@ class Checker {
         demand(evidence.arcs.size() == 2, "an arc and its reverse are two");
         Arc const &a = written(evidence.arcs[0]), &b = written(evidence.arcs[1]);
         demand(a.dimension == b.dimension && !words_.oriented(a.dimension) && a.target == b.source && b.target == a.source, "arcs that are not reverse");
+      } else if (evidence.kind == Kind::single_dart) {
+        // The copies of a further hook are reached from one of them along its own loops: without any there is one copy.
+        demand(evidence.arcs.empty() && evidence.hook > 0 && evidence.hook < rule_.hooks.size(), "a single dart is that of a further hook");
+        NodeId const hook = rule_.hooks[evidence.hook];
+        for (Arc const& a : rule_.left.arcs) demand(a.source != hook || a.target != hook || a.word.empty(), "a further hook with loops has more copies");
+        given = word_of(evidence.generator);
       } else {
         demand(evidence.kind == Kind::cycle && evidence.arcs.size() == 4, "a cycle has four arcs");
         Arcs arcs;
@@ -171,29 +194,21 @@ class Checker {
   }
 
   void check_closure() {
-    using Kind = analysis::ClosureEvidence::Kind;
-    for (auto const& [dimension, kind, index] : c_.closure) {
-      if (kind == Kind::relation) {
-        demand(index < c_.relations.size(), "a relation that is not there");
-        int others = 0;
-        for (Letter const l : c_.relations[index].word) {
-          if (l.dimension == dimension) ++others;
-          else demand(closed_.contains(l.dimension), "a relation that leaves the pattern");
-        }
-        demand(others == 1, "a relation in which the dimension does not occur once");
-      } else if (kind == Kind::hook_type) {
-        demand(index < rule_.hook_type.size() && rule_.hook_type[index].dimension == dimension, "a dimension that the hook's type lacks");
-      } else {
-        Arcs const& arcs = kind == Kind::left_word ? rule_.left.arcs : rule_.right.arcs;
-        demand(index < arcs.size() && arcs[index].word.size() == 1 && arcs[index].word[0].dimension == dimension, "a dimension that is not the word of the arc");
+    for (auto const& [dimension, relation, generator] : c_.closure) {
+      if (relation) demand(*relation < c_.relations.size(), "a relation that is not there");
+      int here = 0;
+      for (Letter const l : relation ? c_.relations[*relation].word : word_of(generator)) {
+        if (l.dimension == dimension) ++here;
+        else demand(closed_.contains(l.dimension), "a word that leaves the pattern elsewhere");
       }
+      demand(here == 1, "a word in which the dimension does not occur once");
       closed_.insert(dimension);
     }
   }
 
   void check_implied() {
     using Kind = analysis::ImpliedEvidence::Kind;
-    for (auto const& [implied, evidence, trace] : c_.implied) {
+    for (auto const& [implied, evidence, trace, walk] : c_.implied) {
       for (NodeId const node : {implied.source, implied.target}) {
         demand(node < rule_.nodes.size() && rule_.nodes[node].preserved(), "an implied arc of a node that is not preserved");
       }
@@ -211,7 +226,7 @@ class Checker {
         demand(rests_on.size() == 4 && alternate(rests_on) && implied.target == rests_on[0].source, "an implied arc that closes no cycle");
       } else {
         demand(evidence.kind == Kind::placement && rests_on.empty(), "an arc that is placed rests on no other");
-        in_pattern(implied.word);
+        in_pattern(implied.word, walk);
       }
       given = Words::join({given, implied.word});
       if (evidence.kind == Kind::placement) given = around(implied);
@@ -224,7 +239,7 @@ class Checker {
   void acts_as_identity(Word word, analysis::Proof const& proof, std::string const& what) const {
     demand(proof.word == word, what + ": the proof is of another word");
     for (auto const& step : proof.steps) {
-      in_pattern(step.prefix);
+      in_pattern(step.prefix, step.walk);
       demand(step.relation < c_.relations.size(), what + ": a relation that is not there");
       Word const& relation = c_.relations[step.relation].word;
       Word const inserted = step.conjugate ? words_.reverse(relation) : relation;
@@ -347,10 +362,10 @@ class Checker {
 
   void check_no_loops() const {
     std::set<ArcIndex> seen;
-    for (auto const& [index, conjugation, trace] : c_.no_loops) {
+    for (auto const& [index, conjugation, proof] : c_.no_loops) {
       demand(seen.insert(index).second, "a loop listed twice");
       Word const& by = conjugation.by;
-      words_.vanishes(Words::join({by, {conjugation.letter}, words_.reverse(by), words_.reverse(arc(true, index).word)}), trace, "loop");
+      acts_as_identity(Words::join({arc(true, index).word, by, {words_.reverse(conjugation.letter)}, words_.reverse(by)}), proof, "loop");
       auto const& all = model().dimensions;
       demand(std::find(all.begin(), all.end(), conjugation.letter.dimension) != all.end(), "a letter that the model lacks");
     }

@@ -60,6 +60,18 @@ class Mutants {
     add(name + ": a step too many", [&](Certificate& c) { at(c).steps.push_back(at(c).steps.back()); });
     add(name + ": a step backwards", [&](Certificate& c) { std::swap(at(c).steps.front().left, at(c).steps.front().right); });
   }
+  void walk(std::string const& name, Place<analysis::Walk> const& at) {
+    trace(name + ", the walk", [at](Certificate& c) -> Vanishing& { return at(c).trace; });
+    Certificate right = right_;
+    for (std::size_t k = 0; k < at(right).steps.size(); ++k) {
+      add(name + ": a step of the walk left out", [&](Certificate& c) { at(c).steps.erase(at(c).steps.begin() + static_cast<std::ptrdiff_t>(k)); });
+      add(name + ": a step elsewhere", [&](Certificate& c) {
+        auto& step = at(c).steps[k];
+        if (step.letter) step.letter->dimension = max_dimension + 1;
+        else step.generator.index += 1000;
+      });
+    }
+  }
   void proof(std::string const& name, Place<Proof> const& at) {
     word(name, [at](Certificate& c) -> Word& { return at(c).word; });
     trace(name, [at](Certificate& c) -> Vanishing& { return at(c).trace; });
@@ -72,6 +84,7 @@ class Mutants {
       word(step_name, [step](Certificate& c) -> Word& { return step(c).result; });
       index(step_name, [step](Certificate& c) -> std::size_t& { return step(c).relation; });
       trace(step_name, [step](Certificate& c) -> Vanishing& { return step(c).trace; });
+      walk(step_name, [step](Certificate& c) -> analysis::Walk& { return step(c).walk; });
     }
   }
 
@@ -84,18 +97,26 @@ class Mutants {
     each<Certificate::Relation>(&Certificate::relations, "relation", [&](std::string const& name, auto const& at) {
       word(name, [at](Certificate& c) -> Word& { return at(c).word; });
       trace(name, [at](Certificate& c) -> Vanishing& { return at(c).trace; });
+      Certificate right = right_;
+      if (at(right).evidence.arcs.empty()) {
+        add(name + ": another hook", [&](Certificate& c) { at(c).evidence.hook += 1000; });
+        add(name + ": another word of the rule", [&](Certificate& c) { at(c).evidence.generator.index += 1000; });
+        return;
+      }
       index(name, [at](Certificate& c) -> ArcIndex& { return at(c).evidence.arcs.front(); });
       add(name + ": an arc less", [&](Certificate& c) { at(c).evidence.arcs.pop_back(); });
     });
     each<analysis::ClosureEvidence>(&Certificate::closure, "closure", [&](std::string const& name, auto const& at) {
       add(name + ": another dimension", [&](Certificate& c) { at(c).dimension = max_dimension + 1; });
-      add(name + ": another reason", [&](Certificate& c) { at(c).index += 1000; });
+      add(name + ": another reason", [&](Certificate& c) { (at(c).relation ? *at(c).relation : at(c).generator.index) += 1000; });
     });
     each<Certificate::ImpliedArc>(&Certificate::implied, "implied arc", [&](std::string const& name, auto const& at) {
       word(name, [at](Certificate& c) -> Word& { return at(c).arc.word; });
       trace(name, [at](Certificate& c) -> Vanishing& { return at(c).trace; });
       add(name + ": another dimension", [&](Certificate& c) { at(c).arc.dimension = max_dimension + 1; });
       add(name + ": one arc more", [&](Certificate& c) { at(c).evidence.arcs.push_back(0); });
+      Certificate right = right_;
+      if (at(right).evidence.kind == analysis::ImpliedEvidence::Kind::placement) walk(name, [at](Certificate& c) -> analysis::Walk& { return at(c).walk; });
     });
   }
 
@@ -151,7 +172,7 @@ class Mutants {
       index(name, [at](Certificate& c) -> ArcIndex& { return at(c).arc; });
       word(name, [at](Certificate& c) -> Word& { return at(c).conjugation.by; });
       add(name + ": another letter", [&](Certificate& c) { ++at(c).conjugation.letter.dimension; });
-      trace(name, [at](Certificate& c) -> Vanishing& { return at(c).trace; });
+      proof(name, [at](Certificate& c) -> Proof& { return at(c).proof; });
     });
   }
 

@@ -109,6 +109,35 @@ TEST(ForcedRelations, AFurtherHookWhoseDimensionsCommute) {
   EXPECT_EQ(verdict_on("gmap(2)", first + "hook b <0,1>; } " + "right { a; b; c <0,2>; c -1- c; } }"), "J0321");
 }
 
+// The left side says that 0 is ε on the pattern, the word [2,0] that the pattern is closed under 2 then: so y has a 2-arc in the
+// pattern, which C(0,2) needs.
+TEST(ForcedRelations, WordsCloseThePatternUnderTheirLetters) {
+  EXPECT_EQ(verdict_on("gmap(2)", "rule r on M { left { hook y <>; y -0- y; } right { y; n; y -0- n; n -1- n; n -2[2,0]- n; } }"), "");
+  EXPECT_EQ(verdict_on("gmap(2)", "rule r on M { left { hook y <>; y -0- y; } right { y; n; y -0- n; n -1- n; n -2[1,0,1]- n; } }"), "J0324 J0323");
+}
+
+// 1·3 leads from the pattern into the pattern, though neither 1 nor 3 does.
+TEST(ForcedRelations, AWordAsAWhole) {
+  EXPECT_EQ(verdict_on("omap(3)", "rule r on M { left { hook a <>; b; a -1-> b; } right { a; b; a -1[1,3]-> b; } }"), "");
+  EXPECT_EQ(verdict_on("omap(3)", "rule r on M { left { hook a <>; b; a -1-> b; } right { a; b; a -1[1,2]-> b; } }"), "J0324 J0323");
+}
+
+// The copies of b are reached from one of them along its loops: it has none, so the pattern is one dart.
+TEST(ForcedRelations, AFurtherHookWithoutLoops) {
+  EXPECT_EQ(verdict_on("omap(2)", "rule r on M { left { hook a <>; hook b <>; a -2- a; } right { a; b; a -2[1]-> a; } }"), "");
+  EXPECT_EQ(verdict_on("omap(2)", "rule r on M { left { hook a <>; a -2- a; } right { a; a -2[1]-> a; } }"), "J0313");
+}
+
+TEST(Closed, AMatchedArcMovesEveryDart) {
+  std::string const right = "right { n; n -0[0,2]- n; n -1[0]- n; n -2[2]- n; } }";
+  EXPECT_EQ(verdict_on("closed_gmap(2)", "rule r on M { left { hook a <0,2>; a -1[0,2]- a; } " + right), "");
+  EXPECT_EQ(verdict_on("closed_gmap(2)", "rule r on M { left { hook a <0,2>; a -1[0]- a; } " + right), "J0341");
+}
+
+TEST(Closed, NoLoopIsMatched) {
+  EXPECT_EQ(verdict_on("closed_gmap(2)", "rule r on M { left { hook a <0>; hook b <0>; a -2[0]- a; b -2- b; } right { a; b; a -2[0]- a; b -2[0]- b; } }"), "J0335");
+}
+
 TEST(Closed, LoopsAreRefusedUnlessTheWordMovesEveryDart) {
   EXPECT_EQ(verdict_on("closed_gmap(2)", "rule r on M { left { hook a <0,1,2>; } right { a <0,1,2>; b <0,1,_>; b -2- b; } }"), "J0333");
   EXPECT_EQ(verdict_on("closed_gmap(2)", "rule r on M { left { hook a <0,1,2>; } right { a <0,1,2>; b <0,1,2>; } }"), "");
