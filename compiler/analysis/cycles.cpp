@@ -22,6 +22,7 @@ struct CycleCheck {
   SideView right{rule.nodes.size(), rule.right, rule.left};
   Refusals refusals{};
   std::set<std::tuple<int, int, ir::NodeId>> reported{};  // the nodes of failing cycles
+  std::set<ir::Arc const*> proved{};                      // the arcs in closed cycles of the pair
 
   std::string name(ir::NodeId id) const { return rule.nodes[id].name; }
 
@@ -104,18 +105,33 @@ struct CycleCheck {
     refusals.push_back({std::move(diagnostic), start, i, j});
   }
 
+  // A cycle whose word acts as ε does so from each of its nodes, for its arcs lead from pattern darts to pattern darts; and, if both
+  // dimensions are non-oriented, backwards.
+  void note_proved(AlternatingPath const& path) {
+    bool const oriented = rule.model().is_oriented(path[0]->dimension) || rule.model().is_oriented(path[1]->dimension);
+    for (ir::Arc const* arc : path) {
+      proved.insert(arc);
+      ir::Arc const* const reverse = right.table.out(arc->target, arc->dimension);
+      if (!oriented && reverse && reverse->target == arc->source) proved.insert(reverse);
+    }
+  }
+
   void check(CycleObligation const& obligation, int i, int j) {
     AlternatingPath const& path = obligation.path;
     if (obligation.four_steps()) {
       // On the left a closed walk is a fact, and completion has refused the others.
-      if (!obligation.added || (closes(path) && words.trivial(word_of(path)))) return;
+      if (!obligation.added || proved.contains(path.front())) return;
+      if (closes(path) && words.trivial(word_of(path))) return note_proved(path);
       // Named by the smaller dimension first where that reads the same.
       ir::Arc const& first = *path.front();
       AlternatingPath const usual = right.walk(first.source, i, j);
       bool const same = usual.size() == 4 && (!closes(usual) || !words.trivial(word_of(usual)));
       same ? refuse_cycle(usual, i, j) : refuse_cycle(path, first.dimension, first.dimension == i ? j : i);
     } else {
-      bool const replaced = !obligation.partner.empty() && words.equal(word_of(obligation.partner), word_of(path));
+      // The left path first, as the certificate has it: the search is bounded, and may find only one of a word and its conjugate.
+      AlternatingPath const& before = obligation.added ? obligation.partner : path;
+      AlternatingPath const& after = obligation.added ? path : obligation.partner;
+      bool const replaced = !obligation.partner.empty() && words.equal(word_of(before), word_of(after));
       if (!replaced) refuse_path(path, obligation.partner, obligation.added, i, j);
     }
   }
@@ -126,6 +142,7 @@ struct CycleCheck {
 Refusals check_cycles(ir::RuleScheme const& completed, algebra::Group const& group, PatternWords const& words) {
   CycleCheck check{completed, group, words};
   for (auto const& [i, j] : completed.model().exchange) {
+    check.proved.clear();
     for (CycleObligation const& obligation : cycle_obligations(check.left, check.right, completed.model(), i, j)) check.check(obligation, i, j);
   }
   return std::move(check.refusals);
