@@ -54,8 +54,8 @@ class Application {
       case Builtin::less_equal: return binary(of_numbers([](auto a, auto b) { return a <= b; }));
       case Builtin::greater: return binary(of_numbers([](auto a, auto b) { return a > b; }));
       case Builtin::greater_equal: return binary(of_numbers([](auto a, auto b) { return a >= b; }));
-      case Builtin::equal: return value(0) == value(1);
-      case Builtin::not_equal: return !(value(0) == value(1));
+      case Builtin::equal: return arguments_[0] == arguments_[1];  // values or darts
+      case Builtin::not_equal: return !(arguments_[0] == arguments_[1]);
       case Builtin::logical_and: return as<bool>(0) && as<bool>(1);
       case Builtin::logical_or: return as<bool>(0) || as<bool>(1);
       case Builtin::logical_not: return !as<bool>(0);
@@ -101,7 +101,7 @@ class Application {
       case Builtin::max:
         if (arguments_.size() == 2) return binary(of_numbers([](auto a, auto b) { return max(a, b); }));
         return aggregate([](auto values) -> decltype(max(values)) { return max(values); });
-      case Builtin::count: return static_cast<Int>(list().size());
+      case Builtin::count: return static_cast<Int>(size());
       case Builtin::first: return list().at(0);
       case Builtin::all: return std::all_of(list().begin(), list().end(), is_true);
       case Builtin::any: return std::any_of(list().begin(), list().end(), is_true);
@@ -115,6 +115,10 @@ class Application {
   }
   Value const& value(std::size_t i) const { return std::get<Value>(arguments_[i]); }
   std::vector<Value> const& list() const { return std::get<std::vector<Value>>(arguments_[0]); }
+  std::size_t size() const {
+    auto const* darts = std::get_if<std::vector<Dart>>(&arguments_[0]);
+    return darts ? darts->size() : list().size();
+  }
   template <class T>
   T as(std::size_t i) const {
     return std::get<T>(value(i));
@@ -167,18 +171,59 @@ Evaluated apply(Builtin function, std::span<Evaluated const> arguments) {
   return Application(function, arguments).result();
 }
 
+namespace {
+
+bool is_true(Evaluated const& value) { return std::get<bool>(std::get<Value>(value)); }
+
+Value const* constant(Expr const& expr) {
+  auto const* c = std::get_if<Constant>(&expr.value);
+  return c ? &c->value : nullptr;
+}
+
+}  // namespace
+
 Evaluated evaluate(Expr const& expr, std::function<Evaluated(Expr const&)> const& leaf) {
   if (auto const* constant = std::get_if<Constant>(&expr.value)) return constant->value;
   if (auto const* application = std::get_if<Apply>(&expr.value)) {
     std::vector<Evaluated> arguments;
-    for (ExprPtr const& argument : application->arguments) arguments.push_back(evaluate(*argument, leaf));
+    for (ExprPtr const& argument : application->arguments) {
+      arguments.push_back(evaluate(*argument, leaf));
+      if (application->function == Builtin::logical_and && !is_true(arguments.back())) return Value{false};
+      if (application->function == Builtin::logical_or && is_true(arguments.back())) return Value{true};
+    }
     return ir::apply(application->function, arguments);
   }
   if (auto const* conditional = std::get_if<Conditional>(&expr.value)) {
-    bool const holds = std::get<bool>(std::get<Value>(evaluate(*conditional->condition, leaf)));
+    bool const holds = is_true(evaluate(*conditional->condition, leaf));
     return evaluate(holds ? *conditional->then_value : *conditional->else_value, leaf);
   }
   return leaf(expr);
+}
+
+ExprPtr fold(Expr expr) {
+  auto const stand_in = [&](ExprPtr const& part) { return std::make_shared<Expr const>(Expr{expr.type, part->value, expr.span}); };
+  if (auto const* application = std::get_if<Apply>(&expr.value)) {
+    Builtin const function = application->function;
+    auto const& parts = application->arguments;
+    std::vector<Evaluated> values;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      Value const* const value = constant(*parts[i]);
+      if (!value) continue;
+      if (function == Builtin::logical_and || function == Builtin::logical_or) {
+        bool const decides = std::get<bool>(*value) == (function == Builtin::logical_or);
+        return stand_in(parts[decides ? i : 1 - i]);
+      }
+      values.push_back(*value);
+    }
+    if (!values.empty() && values.size() == parts.size()) {
+      expr.value = Constant{std::get<Value>(ir::apply(function, values))};
+    }
+  } else if (auto const* conditional = std::get_if<Conditional>(&expr.value)) {
+    if (Value const* const holds = constant(*conditional->condition)) {
+      return stand_in(std::get<bool>(*holds) ? conditional->then_value : conditional->else_value);
+    }
+  }
+  return std::make_shared<Expr const>(std::move(expr));
 }
 
 }  // namespace jrule::ir

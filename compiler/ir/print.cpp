@@ -21,7 +21,6 @@ constexpr auto spellings = std::to_array<std::string_view>({
 static_assert(spellings.size() == static_cast<std::size_t>(Builtin::any) + 1);
 
 std::string print_path(Word const& path) {
-  if (path.empty()) return {};
   return "@" + jrule::to_string(path);
 }
 
@@ -51,8 +50,7 @@ std::string map_name(Model const& model) {
 }
 
 std::string to_string(ExprType const& type) {
-  if (type.dart) return "Dart";
-  std::string const element = jrule::to_string(type.element);
+  std::string const element = type.dart ? "Dart" : jrule::to_string(type.element);
   return type.list ? "[" + element + "]" : element;
 }
 
@@ -62,12 +60,20 @@ std::string print(Expr const& expr, RuleScheme const& rule) {
     std::string operator()(Constant const& c) const { return jrule::to_string(c.value); }
     std::string operator()(ParameterRef const& p) const { return rule.parameters[p.index].name; }
     std::string operator()(LetRef const& l) const { return rule.lets[l.index].name; }
+    std::string operator()(NodeDart const& n) const { return rule.nodes[n.node].name; }
+    std::string operator()(Bound const& b) const { return b.name; }
+    std::string operator()(Walk const& w) const { return print(*w.from, rule) + print_path(w.path); }
+    std::string operator()(Darts const& d) const {
+      return fmt::format("{}({} by {})", jrule::to_string(d.orbit), print(*d.at, rule), jrule::to_string(d.by));
+    }
     std::string operator()(ValueAt const& v) const {
-      return fmt::format("{}{}.{}", rule.nodes[v.node].name, print_path(v.path), rule.modeler->embeddings[v.embedding].name);
+      return fmt::format("{}.{}", print(*v.at, rule), rule.modeler->embeddings[v.embedding].name);
     }
     std::string operator()(Collect const& c) const {
-      return fmt::format("{}({}{} by {}).{}", jrule::to_string(c.orbit), rule.nodes[c.node].name, print_path(c.path),
-                         jrule::to_string(c.by), rule.modeler->embeddings[c.embedding].name);
+      return fmt::format("{}.{}", (*this)(c.over), rule.modeler->embeddings[c.embedding].name);
+    }
+    std::string operator()(ForEach const& f) const {
+      return fmt::format("({} for {} in {})", print(*f.element, rule), f.variable.name, (*this)(f.over));
     }
     std::string operator()(Apply const& a) const {
       std::string text = fmt::format("({}", spelling(a.function));

@@ -36,13 +36,15 @@ struct Modeler {
 
 // ---- Expressions ----
 
-/// A type of the language: one of the values, a list of them, or a dart.
+/// A type of the language: one of the values or a dart, or a list of them.
 struct ExprType {
   Type element = Type::Real;
   bool list = false;
   bool dart = false;
   bool operator==(ExprType const&) const = default;
 };
+inline constexpr ExprType dart_type{Type::Real, false, true};  ///< `element` means nothing in it
+inline constexpr ExprType darts_type{Type::Real, true, true};
 std::string to_string(ExprType const& type);
 
 enum class Builtin : std::uint8_t {
@@ -64,16 +66,26 @@ using ExprPtr = std::shared_ptr<Expr const>;
 struct Constant { Value value; };
 struct ParameterRef { std::size_t index; };
 struct LetRef { std::size_t index; };
-/// The value of an embedding at the dart of a left node, after walking a path (before the rule is applied).
-struct ValueAt { std::size_t embedding; NodeId node; Word path; };
-/// The values over ⟨orbit⟩ of that dart, one for each ⟨by⟩-orbit inside, a closed face's in cyclic order.
-struct Collect { std::size_t embedding; NodeId node; Word path; OrbitType orbit; OrbitType by; };
+/// The dart of a left node: at the pattern dart for which the expression is evaluated, at the hooks in lets and requirements.
+struct NodeDart { NodeId node; };
+/// The dart that a comprehension binds: `level` comprehensions are around that one.
+struct Bound { std::size_t level; std::string name; };
+/// The dart where a path leads, before the rule is applied. `path` is in normal form and not ε, `from` is no Walk.
+struct Walk { ExprPtr from; Word path; };
+/// A list of darts: the first one of each ⟨by⟩-orbit, in the depth-first order of ⟨orbit⟩ from the dart `at`. ⟨by⟩ is inside ⟨orbit⟩.
+struct Darts { ExprPtr at; OrbitType orbit, by; };
+/// The value of an embedding at a dart (before the rule is applied).
+struct ValueAt { std::size_t embedding; ExprPtr at; };
+/// The list of its values at several darts.
+struct Collect { std::size_t embedding; Darts over; };
+/// The list of the values of `element`, evaluated at each of the darts as `variable`.
+struct ForEach { Bound variable; Darts over; ExprPtr element; };
 struct Apply { Builtin function; std::vector<ExprPtr> arguments; };
 struct Conditional { ExprPtr condition, then_value, else_value; };
 
 struct Expr {
   ExprType type;
-  std::variant<Constant, ParameterRef, LetRef, ValueAt, Collect, Apply, Conditional> value;
+  std::variant<Constant, ParameterRef, LetRef, NodeDart, Bound, Walk, Darts, ValueAt, Collect, ForEach, Apply, Conditional> value;
   Span span;
 };
 

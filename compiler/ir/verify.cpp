@@ -49,38 +49,70 @@ std::vector<NodeId> left_components(RuleScheme const& rule) {
   return parent;
 }
 
-Fault verify_expr(RuleScheme const& rule, Expr const& expr) {
-  struct Visitor {
-    RuleScheme const& rule;
-    Fault node(NodeId id, std::size_t embedding) const {
-      if (id >= rule.nodes.size() || rule.nodes[id].added()) return "an expression reads a node that is not on the left";
-      if (embedding >= rule.modeler->embeddings.size()) return "an expression reads an embedding that is not there";
-      return {};
+// `depth` comprehensions are around the expression.
+Fault verify_expr(RuleScheme const& rule, ExprPtr const& expr, std::size_t depth = 0);
+
+struct ExprVisitor {
+  RuleScheme const& rule;
+  std::size_t depth;
+
+  Fault part(ExprPtr const& expr) const { return verify_expr(rule, expr, depth); }
+  Fault dart(ExprPtr const& expr) const {
+    if (Fault fault = part(expr)) return fault;
+    return expr->type == dart_type ? Fault{} : "an expression reads the map at something that is no dart";
+  }
+  Fault embedding(std::size_t index) const {
+    return index < rule.modeler->embeddings.size() ? Fault{} : "an expression reads an embedding that is not there";
+  }
+
+  Fault operator()(Constant const&) const { return {}; }
+  Fault operator()(ParameterRef const& p) const {
+    return p.index < rule.parameters.size() ? Fault{} : "an expression's parameter is out of range";
+  }
+  Fault operator()(LetRef const& l) const {
+    return l.index < rule.lets.size() ? Fault{} : "an expression's let is out of range";
+  }
+  Fault operator()(NodeDart const& n) const {
+    if (n.node < rule.nodes.size() && !rule.nodes[n.node].added()) return {};
+    return "an expression reads a node that is not on the left";
+  }
+  Fault operator()(Bound const& b) const {
+    return b.level < depth ? Fault{} : "an expression reads the dart of a comprehension that is not around it";
+  }
+  Fault operator()(Walk const& w) const { return dart(w.from); }
+  Fault operator()(Darts const& d) const { return dart(d.at); }
+  Fault operator()(ValueAt const& v) const {
+    Fault const fault = embedding(v.embedding);
+    return fault ? fault : dart(v.at);
+  }
+  Fault operator()(Collect const& c) const {
+    Fault const fault = embedding(c.embedding);
+    return fault ? fault : (*this)(c.over);
+  }
+  Fault operator()(ForEach const& f) const {
+    if (f.variable.level != depth) return "a comprehension's variable is not of its level";
+    if (Fault fault = (*this)(f.over)) return fault;
+    if (Fault fault = verify_expr(rule, f.element, depth + 1)) return fault;
+    bool const one_value = !f.element->type.list && !f.element->type.dart;
+    return one_value ? Fault{} : "the element of a comprehension is not one value";
+  }
+  Fault operator()(Apply const& a) const {
+    for (ExprPtr const& argument : a.arguments) {
+      if (Fault fault = part(argument)) return fault;
     }
-    Fault operator()(Constant const&) const { return {}; }
-    Fault operator()(ParameterRef const& p) const {
-      return p.index < rule.parameters.size() ? Fault{} : "an expression's parameter is out of range";
+    return {};
+  }
+  Fault operator()(Conditional const& c) const {
+    for (ExprPtr const& branch : {c.condition, c.then_value, c.else_value}) {
+      if (Fault fault = part(branch)) return fault;
     }
-    Fault operator()(LetRef const& l) const {
-      return l.index < rule.lets.size() ? Fault{} : "an expression's let is out of range";
-    }
-    Fault operator()(ValueAt const& v) const { return node(v.node, v.embedding); }
-    Fault operator()(Collect const& c) const { return node(c.node, c.embedding); }
-    Fault operator()(Apply const& a) const {
-      for (ExprPtr const& argument : a.arguments) {
-        if (!argument) return "an argument is missing";
-        if (Fault fault = verify_expr(rule, *argument)) return fault;
-      }
-      return {};
-    }
-    Fault operator()(Conditional const& c) const {
-      for (ExprPtr const& part : {c.condition, c.then_value, c.else_value}) {
-        if (Fault fault = verify_expr(rule, *part)) return fault;
-      }
-      return {};
-    }
-  };
-  return std::visit(Visitor{rule}, expr.value);
+    return {};
+  }
+};
+
+Fault verify_expr(RuleScheme const& rule, ExprPtr const& expr, std::size_t depth) {
+  if (!expr) return "a part of an expression is missing";
+  return std::visit(ExprVisitor{rule, depth}, expr->value);
 }
 
 }  // namespace
@@ -110,14 +142,14 @@ std::optional<std::string> verify(RuleScheme const& rule) {
     if (clause.embedding >= rule.modeler->embeddings.size()) return "a clause's embedding is out of range";
     ExprType const expected{rule.modeler->embeddings[clause.embedding].type, false, false};
     if (clause.value->type != expected) return "a clause's type differs from its embedding's";
-    if (Fault fault = verify_expr(rule, *clause.value)) return fault;
+    if (Fault fault = verify_expr(rule, clause.value)) return fault;
   }
   for (Let const& let : rule.lets) {
-    if (Fault fault = verify_expr(rule, *let.value)) return fault;
+    if (Fault fault = verify_expr(rule, let.value)) return fault;
   }
   for (ExprPtr const& requirement : rule.requirements) {
     if (requirement->type != ExprType{Type::Bool, false, false}) return "a requirement is not a Bool";
-    if (Fault fault = verify_expr(rule, *requirement)) return fault;
+    if (Fault fault = verify_expr(rule, requirement)) return fault;
   }
   return {};
 }

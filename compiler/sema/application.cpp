@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "compiler/ir/evaluate.h"
 #include "compiler/sema/overloads.h"
 
 namespace jrule::sema {
@@ -20,11 +21,13 @@ using source::Span;
 namespace {
 
 char const* const aggregate_it = "aggregate it: `mean(…)`, `first(…)`";
+char const* const read_it = "a value at a dart is read with a dot: `a.position`";
 
 bool is_point(ExprPtr const& expr) { return expr->type.element == Type::Point2 || expr->type.element == Type::Point3; }
 
-/// What to do instead of arithmetic that points do not have.
+/// What to do instead of arithmetic that darts and points do not have.
 std::vector<std::string> advice(Builtin op, std::vector<ExprPtr> const& operands) {
+  if (std::any_of(operands.begin(), operands.end(), [](ExprPtr const& e) { return e->type.dart; })) return {read_it};
   if (op == Builtin::add && std::all_of(operands.begin(), operands.end(), is_point)) {
     return {"`midpoint(a, b)`, `mean(…)` and `lerp(a, b, t)` mix points"};
   }
@@ -85,6 +88,16 @@ void report_types(Builtin function, Span name, std::vector<ExprPtr> const& argum
   diagnostics.add(std::move(d));
 }
 
+void warn_of_zero(Span op, ir::Expr const& divisor, Diagnostics& diagnostics) {
+  auto const* constant = std::get_if<ir::Constant>(&divisor.value);
+  if (!constant || constant->value != Value{0.0}) return;
+  diagnostics.add({.code = Code::division_by_zero,
+                   .span = op,
+                   .message = "division by the constant zero",
+                   .labels = {{divisor.span, "this is zero"}},
+                   .notes = {"the quotient is infinite, or no number at all"}});
+}
+
 }  // namespace
 
 std::string described(ExprType const& type) {
@@ -110,12 +123,13 @@ ExprPtr convert(ExprPtr value, ExprType expected, Diagnostics& diagnostics) {
   if (value->type == expected) return value;
   Span const span = value->span;
   if (value->type == ExprType{Type::Int} && expected == ExprType{Type::Real}) {
-    return std::make_shared<ir::Expr const>(ir::Expr{expected, ir::Apply{Builtin::to_real, {std::move(value)}}, span});
+    return ir::fold({expected, ir::Apply{Builtin::to_real, {std::move(value)}}, span});
   }
   source::Diagnostic d{.code = Code::type_mismatch,
                        .span = span,
                        .message = fmt::format("expected {}, this is {}", described(expected), described(value->type))};
   if (value->type.list && !expected.list) d.notes.push_back(aggregate_it);
+  if (value->type.dart) d.notes.push_back(read_it);
   diagnostics.add(std::move(d));
   return {};
 }
@@ -145,7 +159,8 @@ ExprPtr apply(Builtin function, Span name, std::vector<ExprPtr> arguments, Span 
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     arguments[i] = convert(std::move(arguments[i]), signature->parameters[i], diagnostics);
   }
-  return std::make_shared<ir::Expr const>(ir::Expr{signature->result, ir::Apply{function, std::move(arguments)}, span});
+  if (function == Builtin::divide) warn_of_zero(name, *arguments[1], diagnostics);
+  return ir::fold({signature->result, ir::Apply{function, std::move(arguments)}, span});
 }
 
 }  // namespace jrule::sema

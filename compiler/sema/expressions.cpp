@@ -63,26 +63,14 @@ class Checker {
  public:
   Checker(ExprContext const& context, Diagnostics& diagnostics) : context_(context), diagnostics_(diagnostics) {}
 
-  /// The typed value of the expression; null, reported, if it is none.
+  /// The typed value of the expression, constants folded; null, reported, if it is none.
   ExprPtr check(ast::Expr const& expr) {
     return std::visit([&](auto const& node) { return check(node, expr.span); }, expr.value);
   }
 
  private:
-  /// A left node's dart after a walk.
-  struct Dart {
-    ir::NodeId node;
-    Word path;
-  };
-  struct Orbit {
-    Dart dart;
-    OrbitType type;
-  };
   struct Pi {};
-  struct NodeName {
-    ir::NodeId node;
-  };
-  using Meaning = std::variant<ir::ParameterRef, ir::LetRef, NodeName, Pi>;
+  using Meaning = std::variant<ir::Bound, ir::ParameterRef, ir::LetRef, ir::NodeDart, Pi>;
 
   ExprPtr report(Code code, Span span, std::string message, std::vector<Label> labels = {},
                  std::vector<std::string> notes = {}) {
@@ -98,10 +86,13 @@ class Checker {
       auto const found = std::find_if(declared.begin(), declared.end(), [&](auto const& d) { return d.name == name; });
       return found == declared.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - declared.begin()));
     };
+    for (std::size_t level = 0; level < variables_.size(); ++level) {
+      if (variables_[level].text == name) return ir::Bound{level, name};
+    }
     if (context_.rule) {
       if (auto const i = position(context_.rule->parameters)) return ir::ParameterRef{*i};
       if (auto const i = position(context_.rule->lets)) return ir::LetRef{*i};
-      if (auto const i = position(context_.rule->nodes)) return NodeName{static_cast<ir::NodeId>(*i)};
+      if (auto const i = position(context_.rule->nodes)) return ir::NodeDart{static_cast<ir::NodeId>(*i)};
     }
     if (name == "pi") return Pi{};
     return {};
@@ -114,7 +105,7 @@ class Checker {
       report_unknown_name(name, span);
       return {};
     }
-    auto const* node = std::get_if<NodeName>(&*meaning);
+    auto const* node = std::get_if<ir::NodeDart>(&*meaning);
     if (!node || !context_.rule->nodes[node->node].added()) return meaning;
     report(Code::unknown_value, span, fmt::format("`{}` is a node of the right side only", name),
            {{context_.rule->nodes[node->node].span(), fmt::format("`{}` is added here", name)}},
@@ -133,6 +124,7 @@ class Checker {
       return;
     }
     std::vector<std::string> known;
+    for (ast::Name const& variable : variables_) known.push_back(variable.text);
     for (ir::Parameter const& p : context_.rule->parameters) known.push_back(p.name);
     for (ir::Let const& l : context_.rule->lets) known.push_back(l.name);
     for (ir::Node const& n : context_.rule->nodes) {
@@ -159,119 +151,110 @@ class Checker {
       return make({context_.rule->parameters[p->index].type}, *p, span);
     }
     if (auto const* l = std::get_if<ir::LetRef>(&*meaning)) {
-      return make(context_.rule->lets[l->index].value->type, *l, span);
+      ir::Expr const& value = *context_.rule->lets[l->index].value;
+      if (auto const* constant = std::get_if<ir::Constant>(&value.value)) return make(value.type, *constant, span);
+      return make(value.type, *l, span);
     }
-    if (std::holds_alternative<Pi>(*meaning)) return make(real, ir::Constant{std::numbers::pi}, span);
-    return report_dart(fmt::format("`{}`", expr.name), span);
-  }
-
-  ExprPtr report_dart(std::string const& what, Span span) {
-    std::vector<std::string> notes;
-    if (auto const& embeddings = context_.rule->modeler->embeddings; !embeddings.empty()) {
-      notes.push_back(fmt::format("a value at it is read with a dot, as in `.{}`", embeddings.front().name));
-    }
-    return report(Code::type_mismatch, span, what + " is a dart, not a value", {}, std::move(notes));
+    if (auto const* n = std::get_if<ir::NodeDart>(&*meaning)) return make(ir::dart_type, *n, span);
+    if (auto const* b = std::get_if<ir::Bound>(&*meaning)) return make(ir::dart_type, *b, span);
+    return make(real, ir::Constant{std::numbers::pi}, span);
   }
 
   // ---- Reading the map ----
-
-  /// Does the expression start at a node, so that `.name` reads an embedding and not a component?
-  bool reads_map(ast::Expr const& expr) const {
-    if (auto const* name = std::get_if<ast::NameExpr>(&expr.value)) {
-      std::optional<Meaning> const meaning = find(name->name);
-      return meaning && std::holds_alternative<NodeName>(*meaning);
-    }
-    return std::holds_alternative<ast::Walk>(expr.value) || std::holds_alternative<ast::OrbitOf>(expr.value);
-  }
 
   ExprPtr report_not_constant(Span span) {
     return report(Code::unknown_value, span, "a default is a constant: it cannot read the map");
   }
 
-  /// `a`, `a@0@[1,2]`; `user` is what needs the dart.
-  std::optional<Dart> dart(ast::Expr const& expr, std::string const& user) {
-    if (auto const* walk = std::get_if<ast::Walk>(&expr.value)) {
-      std::optional<Dart> start = dart(*walk->base, "`@`");
-      auto const word = evaluate_word(context_.rule->model(), walk->word, *context_.dimensions, diagnostics_);
-      if (!start || !word) return {};
-      start->path = context_.group->product(start->path, *word);
-      return start;
-    }
+  /// The dart at which `user`, a path or an orbit, starts.
+  ExprPtr dart(ast::Expr const& expr, std::string const& user) {
     if (std::holds_alternative<ast::OrbitOf>(expr.value)) {
-      report(Code::not_a_dart, expr.span, fmt::format("{} starts at a dart, this is an orbit", user));
-      return {};
+      return report(Code::not_a_dart, expr.span, fmt::format("{} starts at a dart, this is an orbit", user));
     }
-    if (reads_map(expr)) {
-      auto const meaning = resolve(std::get<ast::NameExpr>(expr.value).name, expr.span);
-      return meaning ? std::optional(Dart{std::get<NodeName>(*meaning).node, {}}) : std::nullopt;
-    }
-    if (ExprPtr const value = check(expr)) {
-      report(Code::not_a_dart, expr.span,
-             fmt::format("{} starts at a dart, this is {}", user, described(value->type)), {},
-             {"a dart is a node of the left side, or where a path from one leads: `a`, `a@0`"});
-    }
-    return {};
-  }
-
-  std::optional<Orbit> orbit(ast::OrbitOf const& expr) {
-    if (expr.by) {
-      report(Code::comprehension_not_implemented, expr.by->span, "`by` is not yet implemented");
-      return {};
-    }
-    std::optional<Dart> start = dart(*expr.dart, "an orbit");
-    auto const type = evaluate_orbit(context_.rule->model(), expr.type, *context_.dimensions, diagnostics_);
-    if (!start || !type) return {};
-    return Orbit{std::move(*start), *type};
+    ExprPtr const start = check(expr);
+    if (!start || start->type == ir::dart_type) return start;
+    return report(Code::not_a_dart, expr.span,
+                  fmt::format("{} starts at a dart, this is {}", user, described(start->type)), {},
+                  {"a dart is a node of the left side, or where a path from one leads: `a`, `a@0`"});
   }
 
   ExprPtr check(ast::Walk const& walk, Span span) {
     if (!context_.rule) return report_not_constant(span);
-    auto const start = dart(*walk.base, "`@`");
-    return start ? report_dart("this", span) : nullptr;
+    ExprPtr start = dart(*walk.base, "`@`");
+    auto word = evaluate_word(context_.rule->model(), walk.word, *context_.dimensions, diagnostics_);
+    if (!start || !word) return {};
+    if (auto const* before = std::get_if<ir::Walk>(&start->value)) {
+      word = context_.group->product(before->path, *word);
+      start = before->from;
+    }
+    Word path = context_.group->normal_form(*word);
+    if (path.empty()) return std::make_shared<ir::Expr const>(ir::Expr{ir::dart_type, start->value, span});
+    return make(ir::dart_type, ir::Walk{std::move(start), std::move(path)}, span);
+  }
+
+  /// The darts of an orbit: one for each ⟨by⟩-orbit, or all of them; none if something was reported.
+  std::optional<ir::Darts> darts(ast::OrbitOf const& expr) {
+    ExprPtr start = dart(*expr.dart, "an orbit");
+    Model const& model = context_.rule->model();
+    auto const orbit = evaluate_orbit(model, expr.type, *context_.dimensions, diagnostics_);
+    if (!expr.by) return start && orbit ? std::optional(ir::Darts{std::move(start), *orbit, {}}) : std::nullopt;
+    auto const by = evaluate_orbit(model, *expr.by, *context_.dimensions, diagnostics_);
+    if (!start || !orbit || !by) return {};
+    if (!is_inside(*by, *orbit)) {
+      report(Code::orbit_not_inside, expr.by->span,
+             fmt::format("the orbits {} do not lie inside {}", jrule::to_string(*by), jrule::to_string(*orbit)),
+             {{expr.type.span, "this is the orbit that is walked"}},
+             {fmt::format("`by` takes one dart for each of the smaller orbits; those of {} inside are {}",
+                          jrule::to_string(*by), jrule::to_string(intersection(*context_.group, *orbit, *by)))});
+      return {};
+    }
+    return ir::Darts{std::move(start), *orbit, *by};
+  }
+
+  bool is_inside(OrbitType const& by, OrbitType const& orbit) const {
+    return std::all_of(by.words.begin(), by.words.end(),
+                       [&](Word const& word) { return context_.group->in_orbit(word, orbit); });
   }
 
   ExprPtr check(ast::OrbitOf const& expr, Span span) {
     if (!context_.rule) return report_not_constant(span);
-    if (!orbit(expr)) return {};
+    if (!darts(expr)) return {};
     return report(Code::type_mismatch, span, "an orbit is not a value", {},
                   {"a dot and an embedding's name make it a list of values: `<0,1>(a).position`"});
   }
 
   ExprPtr check(ast::Member const& member, Span span) {
-    if (!reads_map(*member.base)) return component(member, span);
-    if (!context_.rule) return report_not_constant(span);
-    std::optional<Dart> start;
-    std::optional<Orbit> over;
-    if (auto const* o = std::get_if<ast::OrbitOf>(&member.base->value)) {
-      over = orbit(*o);
-      if (!over) return {};
-    } else {
-      start = dart(*member.base, "an embedding");
-      if (!start) return {};
+    if (auto const* orbit = std::get_if<ast::OrbitOf>(&member.base->value)) {
+      if (!context_.rule) return report_not_constant(member.base->span);
+      auto over = darts(*orbit);
+      auto const embedding = over ? find_embedding(member.name) : std::nullopt;
+      if (!embedding) return {};
+      EmbeddingSpec const& spec = context_.rule->modeler->embeddings[*embedding];
+      if (!orbit->by) over->by = intersection(*context_.group, over->orbit, spec.orbit);  // each value once
+      return make({spec.type, true}, ir::Collect{*embedding, std::move(*over)}, span);
     }
-    auto const& embeddings = context_.rule->modeler->embeddings;
-    auto const found = std::find_if(embeddings.begin(), embeddings.end(),
-                                    [&](EmbeddingSpec const& e) { return e.name == member.name.text; });
-    if (found == embeddings.end()) {
-      std::vector<std::string> known;
-      for (EmbeddingSpec const& e : embeddings) known.push_back(e.name);
-      report_unknown(diagnostics_, Code::unknown_embedding, member.name, "embedding", known);
-      return {};
-    }
-    auto const index = static_cast<std::size_t>(found - embeddings.begin());
-    if (start) return make({found->type}, ir::ValueAt{index, start->node, std::move(start->path)}, span);
-    OrbitType by = intersection(*context_.group, over->type, found->orbit);
-    auto& [at, type] = *over;
-    return make({found->type, true},
-                ir::Collect{index, at.node, std::move(at.path), std::move(type), std::move(by)}, span);
+    ExprPtr base = check(*member.base);
+    if (!base) return {};
+    if (base->type != ir::dart_type) return component(member, std::move(base), span);
+    auto const embedding = find_embedding(member.name);
+    if (!embedding) return {};
+    return make({context_.rule->modeler->embeddings[*embedding].type}, ir::ValueAt{*embedding, std::move(base)}, span);
   }
 
-  ExprPtr component(ast::Member const& member, Span span) {
-    ExprPtr const base = check(*member.base);
-    if (!base) return {};
+  std::optional<std::size_t> find_embedding(ast::Name const& name) {
+    auto const& embeddings = context_.rule->modeler->embeddings;
+    std::vector<std::string> known;
+    for (EmbeddingSpec const& e : embeddings) known.push_back(e.name);
+    auto const found = std::find(known.begin(), known.end(), name.text);
+    if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
+    report_unknown(diagnostics_, Code::unknown_embedding, name, "embedding", known);
+    return {};
+  }
+
+  ExprPtr component(ast::Member const& member, ExprPtr base, Span span) {
     if (base->type.list) return report_list("." + member.name.text, *base, diagnostics_);
     if (auto const component = find_component(base->type.element, member.name.text)) {
-      return make(real, ir::Apply{*component, {base}}, span);
+      return ir::fold({real, ir::Apply{*component, {std::move(base)}}, span});
     }
     std::string const names = component_names(base->type.element);
     std::string const note = names.empty() ? fmt::format("{} has no components", described(base->type))
@@ -308,6 +291,10 @@ class Checker {
       report_unknown(diagnostics_, Code::unknown_function, call.function, "function", function_names());
       return {};
     }
+    if (*function == Builtin::count && context_.rule && call.arguments.size() == 1 && !call.arguments.front().name) {
+      auto const* orbit = std::get_if<ast::OrbitOf>(&call.arguments.front().value->value);
+      if (orbit) return count(*orbit, call.arguments.front().value->span, span);
+    }
     std::vector<ExprPtr> arguments;
     bool good = true;
     for (ast::Argument const& argument : call.arguments) {
@@ -320,6 +307,13 @@ class Checker {
     }
     good = check_argument_count(*function, call.function.span, arguments.size(), diagnostics_) && good;
     return good ? apply(*function, call.function.span, std::move(arguments), span, diagnostics_) : nullptr;
+  }
+
+  ExprPtr count(ast::OrbitOf const& orbit, Span orbit_span, Span span) {
+    auto counted = darts(orbit);
+    if (!counted) return {};
+    ExprPtr list = make(ir::darts_type, std::move(*counted), orbit_span);
+    return make(integer, ir::Apply{Builtin::count, {std::move(list)}}, span);
   }
 
   ExprPtr check(ast::Conditional const& conditional, Span span) {
@@ -341,14 +335,85 @@ class Checker {
     }
     if (!condition) return {};
     ExprType const type = then_value->type;
-    return make(type, ir::Conditional{std::move(condition), std::move(then_value), std::move(else_value)}, span);
+    return ir::fold({type, ir::Conditional{std::move(condition), std::move(then_value), std::move(else_value)}, span});
   }
 
-  // ---- What expressions do not have yet, or never ----
+  // ---- Comprehensions ----
 
-  ExprPtr check(ast::Comprehension const&, Span span) {
-    return report(Code::comprehension_not_implemented, span, "comprehensions are not yet implemented");
+  ExprPtr check(ast::Comprehension const& comprehension, Span span) {
+    if (!context_.rule) return report_not_constant(comprehension.orbit->span);
+    auto const aggregate = find_aggregate(comprehension.aggregate);
+    auto over = range(*comprehension.orbit);
+    if (!check_fresh(comprehension.variable)) return {};
+    ir::Bound variable{variables_.size(), comprehension.variable.text};
+    variables_.push_back(comprehension.variable);
+    ExprPtr element = check(*comprehension.element);
+    variables_.pop_back();
+    if (element && (element->type.list || element->type.dart)) {
+      std::vector<std::string> notes;
+      if (element->type.list) notes.push_back("aggregate it: `mean(…)`, `first(…)`");
+      if (element->type.dart) notes.push_back(fmt::format("a value at it is read with a dot: `{}.…`", variable.name));
+      element = report(Code::type_mismatch, element->span,
+                       fmt::format("the element of a comprehension is one value, this is {}", described(element->type)),
+                       {}, std::move(notes));
+    }
+    if (!aggregate || !over || !element) return {};
+    ExprType const type{element->type.element, true};
+    Span const element_span = element->span;
+    ExprPtr list = make(type, ir::ForEach{std::move(variable), std::move(*over), std::move(element)}, element_span);
+    return apply(*aggregate, comprehension.aggregate.span, {std::move(list)}, span, diagnostics_);
   }
+
+  std::optional<Builtin> find_aggregate(ast::Name const& name) {
+    std::vector<std::string> known;
+    for (std::string const& function : function_names()) {
+      if (takes_list(*find_function(function))) known.push_back(function);
+    }
+    auto const function = find_function(name.text);
+    if (function && takes_list(*function)) return function;
+    if (function) {
+      report(Code::no_operator, name.span, fmt::format("`{}` does not aggregate a list", name.text), {},
+             {fmt::format("a comprehension is aggregated by `{}`", fmt::join(known, "`, `"))});
+    } else {
+      report_unknown(diagnostics_, Code::unknown_function, name, "aggregate", known);
+    }
+    return {};
+  }
+
+  static bool takes_list(Builtin function) {
+    return std::any_of(signatures(function).begin(), signatures(function).end(),
+                       [](Signature const& s) { return s.parameters.size() == 1 && s.parameters.front().list; });
+  }
+
+  std::optional<ir::Darts> range(ast::Expr const& expr) {
+    if (auto const* orbit = std::get_if<ast::OrbitOf>(&expr.value)) return darts(*orbit);
+    if (ExprPtr const value = check(expr)) {
+      report(Code::type_mismatch, expr.span,
+             fmt::format("a comprehension ranges over an orbit, this is {}", described(value->type)), {},
+             {"an orbit is written with its type and a dart: `<1,2>(a)`, `<1,2>(a) by <1>`"});
+    }
+    return {};
+  }
+
+  /// Is the name of a comprehension's variable new here? Reported if not.
+  bool check_fresh(ast::Name const& name) {
+    auto const meaning = find(name.text);
+    if (!meaning || std::holds_alternative<Pi>(*meaning)) return true;
+    std::vector<Label> labels;
+    if (auto const* b = std::get_if<ir::Bound>(&*meaning)) {
+      labels.push_back({variables_[b->level].span, "first declared here"});
+    } else if (auto const* n = std::get_if<ir::NodeDart>(&*meaning)) {
+      labels.push_back({context_.rule->nodes[n->node].span(), "first declared here"});
+    }
+    std::string_view const what = std::holds_alternative<ir::ParameterRef>(*meaning) ? "a parameter"
+                                  : std::holds_alternative<ir::LetRef>(*meaning)     ? "a `let`"
+                                  : std::holds_alternative<ir::NodeDart>(*meaning)   ? "a node"
+                                                                                     : "the variable of a comprehension";
+    report(Code::duplicate_name, name.span, fmt::format("`{}` is {} already", name.text, what), std::move(labels),
+           {"a comprehension's variable has a name of its own"});
+    return false;
+  }
+
   ExprPtr check(ast::Index const&, Span span) {
     return report(Code::type_mismatch, span, "an expression has nothing to index", {},
                   {"`[…]` selects from the result of a rule, in an operation"});
@@ -356,6 +421,7 @@ class Checker {
 
   ExprContext const& context_;
   Diagnostics& diagnostics_;
+  std::vector<ast::Name> variables_;  // of the comprehensions around, the outermost first
 };
 
 }  // namespace
@@ -406,7 +472,7 @@ std::optional<MergePolicy> resolve_merge(ast::Name const& policy, Type type, Dia
   }
   std::vector<std::string> merged;
   for (Signature const& s : signatures(row->aggregate)) {
-    if (!s.parameters.front().list) continue;
+    if (!s.parameters.front().list || s.parameters.front().element != s.result.element) continue;
     if (s.parameters.front().element == type) return row->policy;
     merged.push_back(to_string(s.parameters.front().element));
   }

@@ -14,8 +14,9 @@ namespace {
 struct Pattern {
   std::optional<Type> type;
   bool list = false;
+  bool dart = false;
 
-  ExprType with(std::optional<Type> variable) const { return {type ? *type : *variable, list, false}; }
+  ExprType with(std::optional<Type> variable) const { return dart ? ir::dart_type : ExprType{type ? *type : *variable, list}; }
 };
 
 /// Some signatures of a function: one for each type that T stands for.
@@ -29,7 +30,8 @@ struct Row {
 std::vector<Row> rows() {
   using enum Type;
   using enum Builtin;
-  Pattern const T, Ts{{}, true}, truth{Bool}, truths{Bool, true}, integer{Int}, real{Real};
+  Pattern const T, Ts{{}, true}, truth{Bool}, truths{Bool, true}, integer{Int}, integers{Int, true}, real{Real},
+      dart{{}, false, true};
   Pattern const v2{Vec2}, v3{Vec3}, p2{Point2}, p3{Point3}, p3s{Point3, true}, rgb{Color};
   std::vector<Type> const every{Bool, Int, Real, Vec2, Vec3, Point2, Point3, Color};
   std::vector<Type> const numbers{Int, Real}, vectors{Vec2, Vec3}, points{Point2, Point3};
@@ -49,6 +51,7 @@ std::vector<Row> rows() {
       {less, numbers, {T, T}, truth}, {less_equal, numbers, {T, T}, truth},
       {greater, numbers, {T, T}, truth}, {greater_equal, numbers, {T, T}, truth},
       {equal, every, {T, T}, truth}, {not_equal, every, {T, T}, truth},
+      {equal, {}, {dart, dart}, truth}, {not_equal, {}, {dart, dart}, truth},
       {logical_and, {}, {truth, truth}, truth}, {logical_or, {}, {truth, truth}, truth},
       {logical_not, {}, {truth}, truth},
       // Constructors
@@ -70,8 +73,8 @@ std::vector<Row> rows() {
       {sin, {}, {real}, real}, {cos, {}, {real}, real}, {tan, {}, {real}, real}, {atan2, {}, {real, real}, real},
       {pow, {}, {real, real}, real}, {exp, {}, {real}, real}, {log, {}, {real}, real},
       // Aggregates
-      {mean, mixed, {Ts}, T},
-      {sum, {Int, Real, Vec2, Vec3}, {Ts}, T},
+      {mean, mixed, {Ts}, T}, {mean, {}, {integers}, real},
+      {sum, {Int, Real, Vec2, Vec3, Color}, {Ts}, T},
       {min, numbers, {Ts}, T}, {min, numbers, {T, T}, T},
       {max, numbers, {Ts}, T}, {max, numbers, {T, T}, T},
       {count, every, {Ts}, integer},

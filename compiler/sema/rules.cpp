@@ -328,11 +328,7 @@ struct RuleElaboration {
       if (auto const* let = std::get_if<ast::Let>(&item)) {
         check_fresh_value_name(let->name);
         if (ir::ExprPtr value = check_expression(*let->value, context, {}, diagnostics)) {
-          if (value->type.dart) {
-            report(Code::type_mismatch, let->value->span, fmt::format("`{}` would be a dart; a `let` holds values", let->name.text));
-          } else {
-            rule.lets.push_back({let->name.text, std::move(value)});
-          }
+          rule.lets.push_back({let->name.text, std::move(value)});
         }
       } else if (auto const* require = std::get_if<ast::Require>(&item)) {
         if (ir::ExprPtr value = check_expression(*require->condition, context, ir::ExprType{Type::Bool, false, false}, diagnostics)) {

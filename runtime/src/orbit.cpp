@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "jrule/map.h"
+#include "jrule/rewrite.h"
 
 namespace jrule {
 
@@ -12,6 +13,7 @@ namespace {
 /// A set of darts whose cost is that of its members, not of the map: open addressing, at most half full.
 class DartSet {
  public:
+  bool contains(Dart d) const { return !slots_.empty() && slots_[find(d)] == d; }
   /// False if the dart is a member already.
   bool insert(Dart d) {
     if (2 * (size_ + 1) > slots_.size()) grow();
@@ -21,15 +23,18 @@ class DartSet {
   }
 
  private:
-  bool place(Dart d) {
+  /// The slot of the dart, or the free one where it would be.
+  std::size_t find(Dart d) const {
     std::size_t const mask = slots_.size() - 1;
     // Multiplicative hashing (2^32 / golden ratio); the high bits are folded in, since the mask looks at the low ones.
     std::uint32_t const hash = d * 2654435769U;
     std::size_t at = (hash ^ (hash >> 15)) & mask;
-    while (slots_[at] != no_dart) {
-      if (slots_[at] == d) return false;
-      at = (at + 1) & mask;
-    }
+    while (slots_[at] != no_dart && slots_[at] != d) at = (at + 1) & mask;
+    return at;
+  }
+  bool place(Dart d) {
+    std::size_t const at = find(d);
+    if (slots_[at] == d) return false;
     slots_[at] = d;
     return true;
   }
@@ -45,15 +50,13 @@ class DartSet {
   std::size_t size_ = 0;
 };
 
-}  // namespace
-
-std::vector<Dart> orbit(Map const& map, OrbitType const& type, Dart d) {
-  assert(map.contains(d));
+/// Calls `visit` with the darts of the orbit that are not `seen`, in the order of orbit(); then they are.
+template <class Visit>
+void walk_orbit(Map const& map, OrbitType const& type, Dart d, DartSet& seen, Visit visit) {
   struct Step { Dart dart; std::size_t next_word; };
-  std::vector<Dart> found{d};
+  if (!seen.insert(d)) return;
+  visit(d);
   std::vector<Step> path{{d, 0}};
-  DartSet seen;
-  seen.insert(d);
   while (!path.empty()) {
     Step& step = path.back();
     if (step.next_word == type.words.size()) {
@@ -62,10 +65,32 @@ std::vector<Dart> orbit(Map const& map, OrbitType const& type, Dart d) {
     }
     Dart const to = map.walk(step.dart, type.words[step.next_word++]);
     if (!seen.insert(to)) continue;
-    found.push_back(to);
+    visit(to);
     path.push_back({to, 0});
   }
+}
+
+}  // namespace
+
+std::vector<Dart> orbit(Map const& map, OrbitType const& type, Dart d) {
+  assert(map.contains(d));
+  std::vector<Dart> found;
+  DartSet seen;
+  walk_orbit(map, type, d, seen, [&](Dart member) { found.push_back(member); });
   return found;
+}
+
+std::vector<Dart> rewrite::representatives(Map const& map, OrbitType const& type, OrbitType const& by, Dart d) {
+  std::vector<Dart> const members = orbit(map, type, d);
+  if (by.words.empty()) return members;
+  std::vector<Dart> result;
+  DartSet seen;
+  for (Dart const member : members) {
+    if (seen.contains(member)) continue;
+    result.push_back(member);
+    walk_orbit(map, by, member, seen, [](Dart) {});
+  }
+  return result;
 }
 
 OrbitNumbers number_orbits(Map const& map, OrbitType const& type) {

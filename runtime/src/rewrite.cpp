@@ -150,25 +150,6 @@ void merge_orbit(Map& map, std::size_t embedding, Dart d, Workspace& workspace) 
   for (Dart const member : members) e.set_handle(member, value);
 }
 
-std::vector<Dart> representatives(Map const& map, OrbitType const& type, OrbitType const& by, Dart d) {
-  std::vector<Dart> const members = orbit(map, type, d);
-  if (by.words.empty()) return members;
-  // Sorted members stand for marks: the work stays proportional to the orbit.
-  std::vector<Dart> sorted = members;
-  std::sort(sorted.begin(), sorted.end());
-  std::vector<bool> seen(sorted.size(), false);
-  auto const position = [&](Dart x) {
-    return static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), x) - sorted.begin());
-  };
-  std::vector<Dart> result;
-  for (Dart const member : members) {
-    if (seen[position(member)]) continue;
-    result.push_back(member);
-    for (Dart const other : orbit(map, by, member)) seen[position(other)] = true;
-  }
-  return result;
-}
-
 void set_value(Map& map, std::size_t embedding, Dart d, Value const& value, Workspace& workspace) {
   workspace.reserve(map.dart_limit());
   workspace.clear_marks();

@@ -149,6 +149,13 @@ Vec3 area_vector(std::span<Point3 const> corners) {
   return 0.5 * twice;
 }
 
+double mean(std::span<std::int64_t const> values) {
+  assert(!values.empty());
+  double total = 0;
+  for (std::int64_t v : values) total += static_cast<double>(v);
+  return total / static_cast<double>(values.size());
+}
+
 double mean(std::span<double const> values) { return mean_of(values); }
 Vec2 mean(std::span<Vec2 const> values) { return mean_of(values); }
 Vec3 mean(std::span<Vec3 const> values) { return mean_of(values); }
@@ -178,6 +185,7 @@ std::int64_t sum(std::span<std::int64_t const> values) {
 double sum(std::span<double const> values) { return sum_of(values); }
 Vec2 sum(std::span<Vec2 const> values) { return sum_of(values); }
 Vec3 sum(std::span<Vec3 const> values) { return sum_of(values); }
+Color sum(std::span<Color const> values) { return sum_of(values); }
 
 std::int64_t min(std::span<std::int64_t const> values) { return extreme(values, std::less<>{}); }
 double min(std::span<double const> values) { return extreme(values, std::less<>{}); }

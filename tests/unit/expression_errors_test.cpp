@@ -93,7 +93,7 @@ TEST_F(Expressions, FunctionsOnOtherTypes) {
   EXPECT_EQ(errors("sum(<0,1>(a).position)"),
             "J0241 `sum`: `sum` is not defined for `[Point3]`\n"
             "| `<0,1>(a).position`: this is a list `[Point3]`\n"
-            "= it is defined as `sum([Int])`, `sum([Real])`, `sum([Vec2])`, `sum([Vec3])`\n");
+            "= it is defined as `sum([Int])`, `sum([Real])`, `sum([Vec2])`, `sum([Vec3])`, `sum([Color])`\n");
   for (char const* text : {"cross(u2, u2)",
                            "norm(p3)",
                            "norm(h)",
@@ -110,8 +110,7 @@ TEST_F(Expressions, FunctionsOnOtherTypes) {
                            "min(u3, u3)",
                            "max(flag, n)",
                            "mean(<0,1>(a).mark)",
-                           "mean(<0,1>(a).level)",
-                           "sum(<0,1>(a).color)",
+                           "sum(<0,1>(a).uv)",
                            "min(<0,1>(a).position)",
                            "all(<0,1>(a).level)",
                            "any(<0,1>(a).weight)",
@@ -222,14 +221,29 @@ TEST_F(Expressions, UnknownEmbeddings) {
 }
 
 TEST_F(Expressions, ADartIsNotAValue) {
-  std::string const note = "= a value at it is read with a dot, as in `.position`\n";
-  EXPECT_EQ(errors("a"), "J0240 `a`: `a` is a dart, not a value\n" + note);
+  std::string const note = "= a value at a dart is read with a dot: `a.position`\n";
+  EXPECT_EQ(errors("a", one(Type::Point3)), "J0240 `a`: expected a `Point3`, this is a `Dart`\n" + note);
   EXPECT_EQ(errors("norm(a - b)"),
-            "J0240 `a`: `a` is a dart, not a value\n" + note + "J0240 `b`: `b` is a dart, not a value\n" + note);
-  EXPECT_EQ(errors("1 + a@0"), "J0240 `a@0`: this is a dart, not a value\n" + note);
-  EXPECT_EQ(errors("mean(<0,1>(a))"),
-            "J0240 `<0,1>(a)`: an orbit is not a value\n"
-            "= a dot and an embedding's name make it a list of values: `<0,1>(a).position`\n");
+            "J0241 `-`: `-` is not defined for `Dart` and `Dart`\n| `a`: this is a `Dart`\n| `b`: this is a `Dart`\n" +
+                note);
+  EXPECT_EQ(errors("1 + a@0"),
+            "J0241 `+`: `+` is not defined for `Int` and `Dart`\n| `1`: this is an `Int`\n| `a@0`: this is a `Dart`\n" +
+                note);
+  EXPECT_EQ(errors("mean(a)"),
+            "J0240 `a`: `mean` needs a list, this is a `Dart`\n"
+            "= a list is what an orbit gives: `<0,1>(a).position`\n");
+  EXPECT_EQ(errors("if a then 1 else 2"), "J0240 `a`: expected a `Bool`, this is a `Dart`\n" + note);
+  EXPECT_EQ(errors("a == 1").substr(0, 51), "J0241 `==`: `==` is not defined for `Dart` and `Int");
+  EXPECT_EQ(errors("a < b").substr(0, 51), "J0241 `<`: `<` is not defined for `Dart` and `Dart`");
+}
+
+TEST_F(Expressions, AnOrbitIsNotAValue) {
+  std::string const report =
+      "J0240 `<0,1>(a)`: an orbit is not a value\n"
+      "= a dot and an embedding's name make it a list of values: `<0,1>(a).position`\n";
+  for (char const* text : {"mean(<0,1>(a))", "<0,1>(a)", "1 + <0,1>(a)", "if flag then <0,1>(a) else 1", "first(<0,1>(a))"}) {
+    EXPECT_EQ(errors(text), report) << text;
+  }
 }
 
 TEST_F(Expressions, PathsAndOrbitsStartAtDarts) {
@@ -251,11 +265,77 @@ TEST_F(Expressions, PathsAndOrbitsAreOfTheModel) {
   EXPECT_EQ(errors("<0,_>(a).position").substr(0, 9), "J0227 `_`");
 }
 
-TEST_F(Expressions, NotYetImplemented) {
-  EXPECT_EQ(errors("count(<0,1>(a) by <0>)"), "J0490 `<0>`: `by` is not yet implemented\n");
-  EXPECT_EQ(errors("(<0,1>(a) by <0>).position"), "J0490 `<0>`: `by` is not yet implemented\n");
-  EXPECT_EQ(errors("mean(f.position for f in <0,1>(a))"),
-            "J0490 `mean(f.position for f in <0,1>(a))`: comprehensions are not yet implemented\n");
+// ---- Comprehensions ----
+
+TEST_F(Expressions, ByIsInsideTheOrbit) {
+  EXPECT_EQ(errors("count(<0,1>(a) by <0,2>)"),
+            "J0245 `<0,2>`: the orbits <0,2> do not lie inside <0,1>\n| `<0,1>`: this is the orbit that is walked\n"
+            "= `by` takes one dart for each of the smaller orbits; those of <0,2> inside are <0>\n");
+  EXPECT_EQ(errors("mean(f.position for f in vertex(a) by face)").substr(0, 12), "J0245 `face`");
+  EXPECT_EQ(errors("(<>(a) by <0>).position").substr(0, 11), "J0245 `<0>`");
+  EXPECT_EQ(errors("<0,1>(a) by <5>").substr(0, 9), "J0217 `5`");
+  EXPECT_EQ(errors("count(<0,1>(h) by <0>)").substr(0, 9), "J0243 `h`");
+}
+
+TEST_F(Expressions, AVariableHasANameOfItsOwn) {
+  std::string const note = "= a comprehension's variable has a name of its own\n";
+  EXPECT_EQ(errors("sum(1 for h in <0>(a))"), "J0208 `h`: `h` is a parameter already\n" + note);
+  EXPECT_EQ(errors("mean(a.weight for a in <0>(b))").substr(0, 33), "J0208 `a`: `a` is a node already\n");
+  EXPECT_EQ(errors("mean(c.weight for c in <0>(b))"),
+            "J0208 `c`: `c` is a node already\n| (c): first declared here\n" + note);
+  EXPECT_EQ(errors("sum(sum(f.weight for f in <0>(f)) for f in <1>(a))"),
+            "J0208 `f`: `f` is the variable of a comprehension already\n| `f`: first declared here\n" + note);
+  rule_.lets.push_back({"m", check("h + 1")});
+  EXPECT_EQ(errors("sum(h for m in <0>(a))"), "J0208 `m`: `m` is a `let` already\n" + note);
+}
+
+TEST_F(Expressions, AVariableIsKnownInItsComprehensionOnly) {
+  EXPECT_EQ(errors("mean(f.weight for f in <0>(a)) + f.weight").substr(0, 31), "J0206 `f`: unknown value `f`\n= ");
+  EXPECT_EQ(errors("mean(f.weight for f in <0>(f))").substr(0, 9), "J0206 `f`");
+  EXPECT_EQ(errors("mean(g.weight for f in <0>(a))").substr(0, 9), "J0206 `g`");
+  EXPECT_NE(show_all().find("known here: `f`, `flag`"), std::string::npos) << show_all();
+}
+
+TEST_F(Expressions, TheElementOfAComprehensionIsOneValue) {
+  std::string const text = "the element of a comprehension is one value, this is ";
+  EXPECT_EQ(errors("count(f for f in <0>(a))"),
+            "J0240 `f`: " + text + "a `Dart`\n= a value at it is read with a dot: `f.…`\n");
+  EXPECT_EQ(errors("mean(<0>(f).weight for f in <1>(a))"),
+            "J0240 `<0>(f).weight`: " + text + "a list `[Real]`\n= aggregate it: `mean(…)`, `first(…)`\n");
+  EXPECT_EQ(errors("mean(<0>(f) for f in <1>(a))").substr(0, 39), "J0240 `<0>(f)`: an orbit is not a value");
+}
+
+TEST_F(Expressions, AComprehensionIsAggregated) {
+  EXPECT_EQ(errors("norm(f.normal for f in <0>(a))"),
+            "J0241 `norm`: `norm` does not aggregate a list\n= a comprehension is aggregated by `area_vector`, `mean`, "
+            "`sum`, `min`, `max`, `count`, `first`, `all`, `any`\n");
+  EXPECT_EQ(errors("avg(f.normal for f in <0>(a))").substr(0, 33), "J0207 `avg`: unknown aggregate `a");
+  EXPECT_EQ(errors("mean(f.mark for f in <0>(a))").substr(0, 50), "J0241 `mean`: `mean` is not defined for `[Bool]`\n|");
+  EXPECT_EQ(errors("all(f.level for f in <0>(a))").substr(0, 47), "J0241 `all`: `all` is not defined for `[Int]`\n|");
+}
+
+TEST_F(Expressions, AComprehensionRangesOverAnOrbit) {
+  std::string const note = "= an orbit is written with its type and a dart: `<1,2>(a)`, `<1,2>(a) by <1>`\n";
+  EXPECT_EQ(errors("mean(f.weight for f in a)"),
+            "J0240 `a`: a comprehension ranges over an orbit, this is a `Dart`\n" + note);
+  EXPECT_EQ(errors("mean(f.weight for f in <0>(a).weight)"),
+            "J0240 `<0>(a).weight`: a comprehension ranges over an orbit, this is a list `[Real]`\n" + note);
+}
+
+TEST_F(Expressions, DivisionByTheConstantZero) {
+  ASSERT_TRUE(check("h / (2 - 2)"));
+  EXPECT_EQ(show_all(),
+            "J0244 `/`: division by the constant zero\n| `2 - 2`: this is zero\n"
+            "= the quotient is infinite, or no number at all\n");
+  for (char const* text : {"1 / 0", "u3 / -0.0", "0 / 0", "red / 0", "h / (if true then 0 else 1)"}) {
+    ASSERT_TRUE(check(text)) << text;
+    ASSERT_EQ(diagnostics_.all().size(), 1U) << text;
+    EXPECT_EQ(info(diagnostics_.all()[0].code).severity, source::Severity::warning);
+  }
+  for (char const* text : {"h / n", "h / (n - n)", "0 / h", "h / 1e-300"}) {
+    ASSERT_TRUE(check(text)) << text;
+    EXPECT_TRUE(diagnostics_.all().empty()) << text;
+  }
 }
 
 // ---- Constants ----
@@ -264,11 +344,14 @@ TEST_F(Expressions, ADefaultIsAConstant) {
   EXPECT_EQ(constant_errors("h", Type::Real), "J0206 `h`: a default is a constant: it cannot read `h`\n");
   EXPECT_EQ(constant_errors("1 + a.weight", Type::Real), "J0206 `a`: a default is a constant: it cannot read `a`\n");
   EXPECT_EQ(constant_errors("a@0.weight", Type::Real),
-            "J0206 `a@0.weight`: a default is a constant: it cannot read the map\n");
+            "J0206 `a@0`: a default is a constant: it cannot read the map\n");
   EXPECT_EQ(constant_errors("a@0", Type::Real), "J0206 `a@0`: a default is a constant: it cannot read the map\n");
   EXPECT_EQ(constant_errors("<0>(a)", Type::Real), "J0206 `<0>(a)`: a default is a constant: it cannot read the map\n");
   EXPECT_EQ(constant_errors("mean(<0>(a).weight)", Type::Real),
-            "J0206 `<0>(a).weight`: a default is a constant: it cannot read the map\n");
+            "J0206 `<0>(a)`: a default is a constant: it cannot read the map\n");
+  EXPECT_EQ(constant_errors("mean(f.weight for f in <0>(a))", Type::Real),
+            "J0206 `<0>(a)`: a default is a constant: it cannot read the map\n");
+  EXPECT_EQ(constant_errors("count(<0>(a) by <>)", Type::Int).substr(0, 5), "J0206");
   EXPECT_EQ(constant_errors("0.5", Type::Color), "J0240 `0.5`: expected a `Color`, this is a `Real`\n");
   EXPECT_EQ(constant_errors("0.5", Type::Int), "J0240 `0.5`: expected an `Int`, this is a `Real`\n");
   EXPECT_EQ(constant_errors("Point3(0,0,0) + Point3(0,0,0)", Type::Point3).substr(0, 9), "J0241 `+`");

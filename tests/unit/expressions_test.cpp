@@ -151,9 +151,11 @@ TEST_F(Expressions, Aggregates) {
   for (auto const& [name, type] : {std::pair{std::string("weight"), Type::Real},
                                    {std::string("level"), Type::Int},
                                    {std::string("tangent"), Type::Vec2},
-                                   {std::string("normal"), Type::Vec3}}) {
+                                   {std::string("normal"), Type::Vec3},
+                                   {std::string("color"), Type::Color}}) {
     expect_type("sum(<0,1>(a)." + name + ")", one(type));
   }
+  expect_type("mean(<0,1>(a).level)", one(Type::Real));
   for (char const* f : {"min", "max"}) {
     expect_type(std::string(f) + "(<0,1>(a).weight)", one(Type::Real));
     expect_type(std::string(f) + "(<0,1>(a).level)", one(Type::Int));
@@ -182,22 +184,18 @@ TEST_F(Expressions, AParameterHidesALetAndALetHidesANode) {
 }
 
 TEST_F(Expressions, PathsAreInNormalForm) {
-  auto const path = [&](std::string const& text) {
-    ExprPtr const expr = check(text);
-    return expr ? jrule::to_string(std::get<ir::ValueAt>(expr->value).path) : all_messages();
-  };
-  EXPECT_EQ(path("a.position"), "ε");
-  EXPECT_EQ(path("a@0.position"), "0");
-  EXPECT_EQ(path("a@[0,1].position"), "[0,1]");
-  EXPECT_EQ(path("a@[1,0].position"), "[1,0]");
-  EXPECT_EQ(path("a@[2,0].position"), "[0,2]");
-  EXPECT_EQ(path("a@0@1@1.position"), "0");
-  EXPECT_EQ(path("a@[0,1]@[1,0].position"), "ε");
-  EXPECT_EQ(path("a@[].position"), "ε");
-  EXPECT_EQ(path("a@i.position"), "2");
-  EXPECT_EQ(path("a@[i-2,i+1].position"), "[0,3]");
-  EXPECT_EQ(path("(a@~0).position"), "0");
-  EXPECT_EQ(std::get<ir::ValueAt>(check("b.weight")->value).node, 1U);
+  EXPECT_EQ(print("a.position"), "a.position");
+  EXPECT_EQ(print("a@0.position"), "a@0.position");
+  EXPECT_EQ(print("a@[0,1].position"), "a@[0,1].position");
+  EXPECT_EQ(print("a@[1,0].position"), "a@[1,0].position");
+  EXPECT_EQ(print("a@[2,0].position"), "a@[0,2].position");
+  EXPECT_EQ(print("a@0@1@1.position"), "a@0.position");
+  EXPECT_EQ(print("a@[0,1]@[1,0].position"), "a.position");
+  EXPECT_EQ(print("a@[].position"), "a.position");
+  EXPECT_EQ(print("a@i.position"), "a@2.position");
+  EXPECT_EQ(print("a@[i-2,i+1].position"), "a@[0,3].position");
+  EXPECT_EQ(print("(a@~0).position"), "a@0.position");
+  EXPECT_EQ(std::get<ir::NodeDart>(std::get<ir::ValueAt>(check("b.weight")->value).at->value).node, 1U);
   EXPECT_EQ(std::get<ir::ValueAt>(check("b.weight")->value).embedding, 5U);
 }
 
@@ -232,6 +230,76 @@ TEST_F(Expressions, AListOverOrbitsOfWords) {
   EXPECT_EQ(print("<[1,2],[2,1]>(a).position"), "<[1,2],[2,1]>(a by <[1,2]>).position");  // inverse of each other
   EXPECT_EQ(print("<[0,1]>(a).position"), "<[0,1]>(a by <>).position");
   EXPECT_EQ(print("<[1,1],0>(a).position"), "<[1,1],0>(a by <>).position");
+}
+
+// ---- Darts and comprehensions ----
+
+TEST_F(Expressions, DartsAreComparedAndReadWhereverTheyComeFrom) {
+  for (char const* text : {"a == b", "a@2 == a", "a@0 != b@[0,1]"}) expect_type(text, one(Type::Bool));
+  expect_type("a@0", ir::dart_type);
+  EXPECT_EQ(print("a@0@0 == a"), "(== a a)");
+  rule_.lets.push_back({"m", check("a@[0,1]")});
+  EXPECT_EQ(print("m@0.position"), "m@0.position");
+  EXPECT_EQ(print("<0,1>(m@2@2).position"), "<0,1>(m by <1>).position");
+  EXPECT_EQ(print("(if flag then a@0 else m).position"), "(if flag a@0 m).position");
+  EXPECT_EQ(print("(if flag then a else m)@0@1.weight"), "(if flag a m)@[0,1].weight");
+}
+
+TEST_F(Expressions, OrbitsAreCounted) {
+  expect_type("count(<0,1>(a) by <0>)", one(Type::Int));
+  EXPECT_EQ(print("count(<0,1>(a) by <0>)"), "(count <0,1>(a by <0>))");
+  EXPECT_EQ(print("count(<0,1>(a))"), "(count <0,1>(a by <>))");
+  EXPECT_EQ(print("count(connected(a@2) by vertex)"), "(count <0,1,2,3>(a@2 by <1,2,3>))");
+  EXPECT_EQ(print("count(<0,1>(a) by <[0,1]>)"), "(count <0,1>(a by <[0,1]>))");
+}
+
+TEST_F(Expressions, ByChoosesWhichValuesAreCollected) {
+  EXPECT_EQ(print("mean((<0,1>(a) by <0>).position)"), "(mean <0,1>(a by <0>).position)");
+  EXPECT_EQ(print("mean(<0,1>(a) by <0>.position)"), "(mean <0,1>(a by <0>).position)");
+  EXPECT_EQ(print("mean((<0,1>(a) by <>).position)"), "(mean <0,1>(a by <>).position)");
+}
+
+TEST_F(Expressions, Comprehensions) {
+  EXPECT_EQ(print("mean(f.position for f in <1,2>(a) by <1>)"), "(mean (f.position for f in <1,2>(a by <1>)))");
+  EXPECT_EQ(print("sum(f@0.weight * h for f in <1,2>(a))"), "(sum ((* f@0.weight h) for f in <1,2>(a by <>)))");
+  EXPECT_EQ(print("mean(mean(<0,1>(f).position) for f in <1,2>(a) by <1>)"),
+            "(mean ((mean <0,1>(f by <1>).position) for f in <1,2>(a by <1>)))");
+  EXPECT_EQ(print("sum(sum(norm(f.normal + g@1.normal + a.normal) for g in <0>(f@2)) for f in <1,2>(a) by <1>)"),
+            "(sum ((sum ((norm (+ (+ f.normal g@1.normal) a.normal)) for g in <0>(f@2 by <>))) for f in <1,2>(a by <1>)))");
+  expect_type("any(f@2 == f for f in <1,2>(a) by <2>)", one(Type::Bool));
+  expect_type("all(f.mark for f in <1,2>(a))", one(Type::Bool));
+  expect_type("mean(count(<0,1>(f) by <0>) for f in <1,2>(a) by <1>)", one(Type::Real));
+  expect_type("max(count(<0,1>(f) by <0>) for f in <1,2>(a) by <1>)", one(Type::Int));
+  expect_type("count(1 for f in <1,2>(a))", one(Type::Int));
+  expect_type("first(f.color for f in <1,2>(a))", one(Type::Color));
+  expect_type("area_vector(f.position for f in <0,1>(a) by <1>)", one(Type::Vec3));
+  // Variables of comprehensions side by side may share a name.
+  expect_type("min(f.weight for f in <0>(a)) + max(f.weight for f in <1>(a))", one(Type::Real));
+}
+
+// ---- Constants ----
+
+TEST_F(Expressions, ConstantsAreComputedAtOnce) {
+  EXPECT_EQ(print("h + (1 + 2 * 3)"), "(+ h 7)");
+  EXPECT_EQ(print("u3 * (1 / 4)"), "(* u3 0.25)");
+  EXPECT_EQ(print("h * 2"), "(* h 2)");
+  EXPECT_EQ(print("p3 + Vec3(0, 1, 2)"), "(+ p3 Vec3(0, 1, 2))");
+  EXPECT_EQ(print("norm(Vec2(3, 4)) - h"), "(- 5 h)");
+  EXPECT_EQ(print("flag and 1 < 2"), "flag");
+  EXPECT_EQ(print("flag and 2 < 1"), "false");
+  EXPECT_EQ(print("true or flag"), "true");
+  EXPECT_EQ(print("false or flag"), "flag");
+  EXPECT_EQ(print("not not true == flag"), "(not (not (== true flag)))");
+  EXPECT_EQ(print("if 1 < 2 then h else a.weight"), "h");
+  EXPECT_EQ(print("if 1 > 2 then h else a.weight"), "a.weight");
+  EXPECT_EQ(print("if flag then 1 + 1 else 2 + 2"), "(if flag 2 4)");
+  EXPECT_EQ(print("Vec3(1, 2, 3).y + h"), "(+ 2 h)");
+  EXPECT_EQ(ir::print(*check("n + 3", one(Type::Real)), rule_), "(to_real (+ n 3))");
+  EXPECT_EQ(ir::print(*check("3", one(Type::Real)), rule_), "3");
+  EXPECT_EQ(check("3", one(Type::Real))->type, one(Type::Real));
+  rule_.lets.push_back({"m", check("2 * 3")});
+  EXPECT_EQ(print("m + 1"), "7");
+  expect_type("if 1 < 2 then h else 0.5", one(Type::Real));  // the place is still that of the whole
 }
 
 }  // namespace

@@ -25,12 +25,6 @@ struct Printer {
   Function const& f;
   Where where;
 
-  std::string dart(ir::NodeId node, Word const& path) const {
-    std::string start = f.dart(node);
-    if (where == Where::at_hooks) start = f.node(node).hook ? f.hooks[*f.node(node).hook] : f.darts[node] + "[0]";
-    return walk(f.map, start, path);
-  }
-
   std::string orbit_type(OrbitType const& type) const { return type.words.empty() ? "{}" : f.orbit_types.at(type); }
 
   Code print(ir::Expr const& expr) const {
@@ -42,12 +36,28 @@ struct Printer {
   Code print_node(ir::Constant const& c) const { return constant(literal(c.value)); }
   Code print_node(ir::ParameterRef const& p) const { return {f.parameters[p.index]}; }
   Code print_node(ir::LetRef const& l) const { return {f.lets[l.index]}; }
+  Code print_node(ir::NodeDart const& n) const {
+    if (where == Where::in_loop) return {f.dart(n.node)};
+    return {f.node(n.node).hook ? f.hooks[*f.node(n.node).hook] : f.darts[n.node] + "[0]"};
+  }
+  Code print_node(ir::Bound const& b) const { return {f.variable(b)}; }
+  Code print_node(ir::Walk const& w) const { return {walk(f.map, print(*w.from).text, w.path)}; }
+  // The arguments that say which darts: "map, orbit_1_2, orbit_1, a".
+  std::string darts(ir::Darts const& d) const {
+    return fmt::format("{}, {}, {}, {}", f.map, orbit_type(d.orbit), orbit_type(d.by), print(*d.at).text);
+  }
+  Code print_node(ir::Darts const& d) const {
+    return {fmt::format("jrule::rewrite::representatives({})", darts(d))};
+  }
   Code print_node(ir::ValueAt const& v) const {
-    return {fmt::format("{}[{}]", f.values[v.embedding], dart(v.node, v.path))};
+    return {fmt::format("{}[{}]", f.values[v.embedding], print(*v.at).text)};
   }
   Code print_node(ir::Collect const& c) const {
-    return {fmt::format("{}.over({}, {}, {}, {})", f.values[c.embedding], f.map, orbit_type(c.orbit), orbit_type(c.by),
-                        dart(c.node, c.path))};
+    return {fmt::format("{}.over({})", f.values[c.embedding], darts(c.over))};
+  }
+  Code print_node(ir::ForEach const& e) const {
+    return {fmt::format("jrule::rewrite::each({}, [&]([[maybe_unused]] jrule::Dart {}) {{ return {}; }})", darts(e.over),
+                        f.variable(e.variable), print(*e.element).text)};
   }
   Code print_node(ir::Conditional const& c) const {
     return {fmt::format("{} ? {} : {}", bound(print(*c.condition), disjunction),
@@ -83,13 +93,6 @@ struct Printer {
     return {fmt::format("{}.{}", bound(print(*a.arguments[0]), primary), names[k])};
   }
 
-  Code to_real(ir::Apply const& a) const {
-    if (auto const* c = std::get_if<ir::Constant>(&a.arguments[0]->value)) {
-      return constant(literal(static_cast<double>(std::get<std::int64_t>(c->value))));
-    }
-    return call("static_cast<double>", a);
-  }
-
   // A list of Bool is a list of bytes.
   Code first(ir::Apply const& a) const {
     std::string const front = bound(print(*a.arguments[0]), primary) + ".front()";
@@ -115,7 +118,7 @@ struct Printer {
       case Builtin::logical_and: return infix("&&", conjunction, a);
       case Builtin::logical_or: return infix("||", disjunction, a);
       case Builtin::logical_not: return {"!" + bound(print(*a.arguments[0]), primary), comparison};
-      case Builtin::to_real: return to_real(a);
+      case Builtin::to_real: return call("static_cast<double>", a);
       case Builtin::vec2: return construct(a, Type::Vec2);
       case Builtin::vec3: return construct(a, Type::Vec3);
       case Builtin::point2: return construct(a, Type::Point2);

@@ -97,19 +97,35 @@ void Function::use_orbit_type(OrbitType const& type) {
   orbit_types[type] = scope.take(name);
 }
 
+void Function::use(ir::Darts const& over) {
+  use_orbit_type(over.orbit);
+  use_orbit_type(over.by);
+  use(*over.at);
+}
+
 void Function::use(ir::Expr const& expr) {
   struct Visitor {
     Function& f;
     void operator()(ir::Constant const&) const {}
     void operator()(ir::ParameterRef const& p) const { f.uses_parameter[p.index] = true; }
     void operator()(ir::LetRef const& l) const { f.uses_let[l.index] = true; }
+    void operator()(ir::NodeDart const&) const {}
+    void operator()(ir::Bound const&) const {}
+    void operator()(ir::Walk const& w) const { f.use(*w.from); }
+    void operator()(ir::Darts const& d) const { f.use(d); }
     void operator()(ir::ValueAt const& v) const {
       f.reads_embedding[v.embedding] = f.uses_embedding[v.embedding] = true;
+      f.use(*v.at);
     }
     void operator()(ir::Collect const& c) const {
       f.reads_embedding[c.embedding] = f.uses_embedding[c.embedding] = true;
-      f.use_orbit_type(c.orbit);
-      f.use_orbit_type(c.by);
+      f.use(c.over);
+    }
+    void operator()(ir::ForEach const& e) const {
+      auto const& [level, name] = e.variable;
+      if (!f.variables.contains({level, name})) f.variables[{level, name}] = f.scope.take(name);
+      f.use(e.over);
+      f.use(*e.element);
     }
     void operator()(ir::Apply const& a) const {
       for (ir::ExprPtr const& argument : a.arguments) f.use(*argument);

@@ -14,6 +14,7 @@ using Kind = analysis::OrbitComponent::Kind;
 namespace {
 
 std::string declared_type(ir::ExprType const& type) {
+  if (type.dart) return "jrule::Dart";  // no `let` holds a list of them
   if (!type.list) return type_name(type.element);
   return fmt::format("std::vector<{}>", type.element == Type::Bool ? "std::uint8_t" : type_name(type.element));
 }

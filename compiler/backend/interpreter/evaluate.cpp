@@ -6,27 +6,45 @@ namespace jrule::interpreter {
 
 namespace {
 
-// What an expression reads: parameters, lets, and values of the map.
-struct Leaf {
+// What an expression reads: parameters, lets, darts and values of the map.
+struct Reader {
   Scene const& scene;
   rewrite::Index k;
+  std::vector<Dart> bound{};  // by the comprehensions around, the outermost first
 
-  Dart dart(ir::NodeId node, Word const& path) const { return scene.map.walk(scene.match[node][k], path); }
-
-  ir::Evaluated operator()(ir::ParameterRef const& p) const { return scene.arguments[p.index]; }
-  ir::Evaluated operator()(ir::LetRef const& l) const { return scene.lets[l.index]; }
-  ir::Evaluated operator()(ir::ValueAt const& v) const {
-    Embedding const& e = scene.map.embedding(v.embedding);
-    return e.value(e.handle(dart(v.node, v.path)));
+  ir::Evaluated evaluate(ir::Expr const& expr) {
+    return ir::evaluate(expr, [this](ir::Expr const& leaf) { return std::visit(*this, leaf.value); });
   }
-  ir::Evaluated operator()(ir::Collect const& c) const {
+  Dart dart(ir::ExprPtr const& expr) { return std::get<Dart>(evaluate(*expr)); }
+  std::vector<Dart> darts(ir::Darts const& d) { return rewrite::representatives(scene.map, d.orbit, d.by, dart(d.at)); }
+
+  ir::Evaluated operator()(ir::ParameterRef const& p) { return scene.arguments[p.index]; }
+  ir::Evaluated operator()(ir::LetRef const& l) { return scene.lets[l.index]; }
+  ir::Evaluated operator()(ir::NodeDart const& n) { return scene.match[n.node][k]; }
+  ir::Evaluated operator()(ir::Bound const& b) { return bound[b.level]; }
+  ir::Evaluated operator()(ir::Walk const& w) { return scene.map.walk(dart(w.from), w.path); }
+  ir::Evaluated operator()(ir::Darts const& d) { return darts(d); }
+  ir::Evaluated operator()(ir::ValueAt const& v) {
+    Embedding const& e = scene.map.embedding(v.embedding);
+    return e.value(e.handle(dart(v.at)));
+  }
+  ir::Evaluated operator()(ir::Collect const& c) {
     Embedding const& e = scene.map.embedding(c.embedding);
     std::vector<Value> values;
-    for (Dart const d : rewrite::representatives(scene.map, c.orbit, c.by, dart(c.node, c.path))) values.push_back(e.value(e.handle(d)));
+    for (Dart const d : darts(c.over)) values.push_back(e.value(e.handle(d)));
+    return values;
+  }
+  ir::Evaluated operator()(ir::ForEach const& f) {
+    std::vector<Value> values;
+    for (Dart const d : darts(f.over)) {
+      bound.push_back(d);
+      values.push_back(std::get<Value>(evaluate(*f.element)));
+      bound.pop_back();
+    }
     return values;
   }
   template <class Other>
-  ir::Evaluated operator()(Other const&) const {
+  ir::Evaluated operator()(Other const&) {
     throw std::logic_error("an expression that is no leaf");
   }
 };
@@ -34,7 +52,7 @@ struct Leaf {
 }  // namespace
 
 ir::Evaluated evaluate(ir::Expr const& expr, Scene const& scene, rewrite::Index k) {
-  return ir::evaluate(expr, [&](ir::Expr const& leaf) { return std::visit(Leaf{scene, k}, leaf.value); });
+  return Reader{scene, k}.evaluate(expr);
 }
 
 Value evaluate_value(ir::Expr const& expr, Scene const& scene, rewrite::Index k) { return std::get<Value>(evaluate(expr, scene, k)); }

@@ -87,7 +87,8 @@ void assign_orbit(Map& map, std::size_t embedding, Dart d, Handle value, Workspa
 /// embedding's policy. `reserve_values` must have made room for one value.
 void merge_orbit(Map& map, std::size_t embedding, Dart d, Workspace& workspace) noexcept;
 
-/// One dart for each ⟨by⟩-orbit inside ⟨type⟩(d), in the order of orbit(); ⟨by⟩ must be a subgroup of ⟨type⟩. O(orbit · words).
+/// One dart for each ⟨by⟩-orbit inside ⟨type⟩(d): the darts of orbit() that are the first of their ⟨by⟩-orbit, in its order.
+/// ⟨by⟩ must be a subgroup of ⟨type⟩. O(orbit · words).
 std::vector<Dart> representatives(Map const& map, OrbitType const& type, OrbitType const& by, Dart d);
 
 /// Gives the whole orbit of `d` a new value; strong guarantee. Not part of a rule: for programs that change values by hand.

@@ -35,6 +35,14 @@ class Values {
   std::span<Stored<T> const> pool_;
 };
 
+/// The list of the values of `element` at one dart for each ⟨by⟩-orbit inside ⟨type⟩(d), in the order of orbit().
+template <class Element>
+auto each(Map const& map, OrbitType const& type, OrbitType const& by, Dart d, Element element) {
+  std::vector<Stored<decltype(element(d))>> list;
+  for (Dart const representative : representatives(map, type, by, d)) list.push_back(element(representative));
+  return list;
+}
+
 /// Values that an application is going to add to an embedding: nothing is seen of them before commit().
 template <class T>
 class NewValues {

@@ -114,7 +114,8 @@ constexpr Color midpoint(Color a, Color b) { return {midpoint(a.r, b.r), midpoin
 
 // Aggregates of lists. A sum adds in the list's order, from zero; a mean is that sum divided once by the length.
 
-/// Precondition of every mean: the list is not empty.
+/// Precondition of every mean: the list is not empty. Integers are added as reals.
+double mean(std::span<std::int64_t const> values);
 double mean(std::span<double const> values);
 Vec2 mean(std::span<Vec2 const> values);
 Vec3 mean(std::span<Vec3 const> values);
@@ -127,6 +128,7 @@ std::int64_t sum(std::span<std::int64_t const> values);
 double sum(std::span<double const> values);
 Vec2 sum(std::span<Vec2 const> values);
 Vec3 sum(std::span<Vec3 const> values);
+Color sum(std::span<Color const> values);
 
 /// Precondition: the list is not empty. NaN if any of the values is; of equal values (-0 and 0), the first.
 std::int64_t min(std::span<std::int64_t const> values);
