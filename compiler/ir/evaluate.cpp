@@ -86,13 +86,13 @@ class Application {
       case Builtin::abs: return unary([](Number auto a) { return abs(a); });
       case Builtin::floor: return std::floor(real(0));
       case Builtin::ceil: return std::ceil(real(0));
-      case Builtin::sin: return std::sin(real(0));
-      case Builtin::cos: return std::cos(real(0));
-      case Builtin::tan: return std::tan(real(0));
-      case Builtin::atan2: return std::atan2(real(0), real(1));
-      case Builtin::pow: return std::pow(real(0), real(1));
-      case Builtin::exp: return std::exp(real(0));
-      case Builtin::log: return std::log(real(0));
+      case Builtin::sin: return jrule::sin(real(0));
+      case Builtin::cos: return jrule::cos(real(0));
+      case Builtin::tan: return jrule::tan(real(0));
+      case Builtin::atan2: return jrule::atan2(real(0), real(1));
+      case Builtin::pow: return jrule::pow(real(0), real(1));
+      case Builtin::exp: return jrule::exp(real(0));
+      case Builtin::log: return jrule::log(real(0));
       case Builtin::mean: return aggregate([](auto values) -> decltype(mean(values)) { return mean(values); });
       case Builtin::sum: return aggregate([](auto values) -> decltype(sum(values)) { return sum(values); });
       case Builtin::min:

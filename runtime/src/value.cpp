@@ -138,6 +138,14 @@ Value from_components(Type type, std::span<double const> c) noexcept {
   return {};
 }
 
+double sin(double a) { return std::sin(a); }
+double cos(double a) { return std::cos(a); }
+double tan(double a) { return std::tan(a); }
+double atan2(double y, double x) { return std::atan2(y, x); }
+double pow(double base, double exponent) { return std::pow(base, exponent); }
+double exp(double a) { return std::exp(a); }
+double log(double a) { return std::log(a); }
+
 Vec2 normalize(Vec2 a) { return unit(a); }
 Vec3 normalize(Vec3 a) { return unit(a); }
 

@@ -3,8 +3,10 @@
 #include "changes.h"
 #include "halfedges.h"
 #include "names.h"
+#include "numbers.h"
 #include "ops.h"
 #include "paper/surface.h"
+#include "smoothing.h"
 #include "tests/integration/both.h"
 #include "values.h"
 
@@ -367,6 +369,141 @@ TEST_F(Values, PaintIntegersAndComparisons) {
   }
   EXPECT_GT(holds, 0U);
   EXPECT_LT(holds, start.dart_count());
+}
+
+TEST(Numbers, EdgesAgree) {
+  Module const module(rules + "/numbers.jrule");
+  auto modeler = numbers::Numbers();
+  ASSERT_TRUE(numbers::dart(modeler));
+  Map const start = modeler.map();
+  using Reals = std::numeric_limits<double>;
+  for (double const x : {0.0, -0.0, 1.0, -2.5, 0.1, 1e200, -1e-200, Reals::denorm_min(), Reals::max(), Reals::infinity(),
+                         -Reals::infinity(), Reals::quiet_NaN(), 0.7, 123456.789}) {
+    for (double const y : {0.0, -0.0, 1.0, -0.1, 3.0, -1e200, Reals::max(), Reals::infinity(), Reals::quiet_NaN()}) {
+      Outcome const expected = interpret(module.rule("of_reals"), start, {0}, {x, y});
+      ASSERT_EQ(expected.error, "");
+      ASSERT_EQ(generated<numbers::Numbers>(
+                    start, [&](numbers::Numbers& m) { return numbers::of_reals(m, 0, x, y); }, COPIES(c.a)),
+                expected)
+          << x << ' ' << y;
+    }
+  }
+  using Ints = std::numeric_limits<std::int64_t>;
+  for (std::int64_t const n : {std::int64_t{0}, std::int64_t{1}, std::int64_t{-7}, std::int64_t{9007199254740993}, Ints::max(), Ints::min()}) {
+    for (std::int64_t const m : {std::int64_t{0}, std::int64_t{-1}, std::int64_t{2}, std::int64_t{3037000500}, Ints::max(), Ints::min()}) {
+      Outcome const expected = interpret(module.rule("of_ints"), start, {0}, {n, m});
+      ASSERT_EQ(expected.error, "");
+      ASSERT_EQ(generated<numbers::Numbers>(
+                    start, [&](numbers::Numbers& k) { return numbers::of_ints(k, 0, n, m); }, COPIES(c.a)),
+                expected)
+          << n << ' ' << m;
+    }
+  }
+}
+
+// ---- Comprehensions ----
+
+class Smoothing : public testing::Test {
+ protected:
+  using Surface = smoothing::Surface;
+  Module module{rules + "/smoothing.jrule"};
+};
+
+TEST_F(Smoothing, CatmullClark) {
+  for (char const* file : {"cube.obj", "tetrahedron.off", "grid.ply", "moebius.obj"}) {
+    Map const start = read<Surface>(file);
+    Outcome const expected = interpret(module.rule("catmull_clark"), start, {0}, {});
+    EXPECT_EQ(expected.error, "");
+    expect_valid(expected);
+    EXPECT_EQ(generated<Surface>(
+                  start, [](Surface& s) { return smoothing::catmull_clark(s, 0); }, COPIES(c.a, c.b, c.c, c.d)),
+              expected)
+        << file;
+  }
+}
+
+void expect_near(jrule::Point3 found, jrule::Point3 expected) { EXPECT_LT(distance(found, expected), 1e-12); }
+
+// By the formula of the books, with the cells of the map before.
+TEST_F(Smoothing, CatmullClarkIsTheOneOfTheBooks) {
+  using jrule::Point3, jrule::Vec3, jrule::orbit, jrule::orbit_of_dimensions;
+  for (char const* file : {"cube.obj", "tetrahedron.off", "grid.ply"}) {
+    auto const before = Surface::read(data + file);
+    auto after = Surface::read(data + file);
+    ASSERT_TRUE(before && after);
+    auto const result = smoothing::catmull_clark(*after, 0);
+    ASSERT_TRUE(result);
+    Map const& map = before->map();
+    auto const at = [&](Dart d) { return before->position(d) - Point3{}; };
+    auto const middle = [&](Dart d) { return 0.5 * (at(d) + at(map.target(d, 0))); };
+    auto const face_point = [&](Dart d) {
+      Vec3 sum;
+      auto const darts = orbit(map, orbit_of_dimensions({0, 1}), d);
+      for (Dart const corner : darts) sum = sum + at(corner);  // each corner twice
+      return sum / static_cast<double>(darts.size());
+    };
+    for (std::size_t k = 0; k < result->copies.a.size(); ++k) {
+      Dart const d = result->copies.a[k];  // preserved: the same dart of the map before
+      auto const around = orbit(map, orbit_of_dimensions({1, 2}), d);
+      Vec3 q, r;
+      double border = 0;
+      Vec3 border_middles;
+      for (Dart const e : around) {
+        q = q + face_point(e);
+        r = r + middle(e);
+        if (map.target(e, 2) == e) border_middles = border_middles + middle(e), border += 1;
+      }
+      Vec3 const s = at(d);
+      Vec3 expected = 0.5 * s + border_middles / 4;  // on a border
+      if (border == 0) {
+        auto const twice = static_cast<double>(around.size());  // every face corner, and every edge, has two darts
+        double const n = twice / 2;
+        expected = (q / twice + 2 * (r / twice) + (n - 3) * s) / n;
+      } else {
+        EXPECT_EQ(border, 2);
+      }
+      expect_near(after->position(d), Point3{} + expected);
+      Dart const across = map.target(d, 2);
+      expect_near(after->position(result->copies.b[k]),
+                  Point3{} + (across == d ? middle(d) : 0.25 * (2 * middle(d) + face_point(d) + face_point(across))));
+      expect_near(after->position(result->copies.d[k]), Point3{} + face_point(d));
+    }
+  }
+  // A corner of the cube goes from (0, 0, 0) to (2/9, 2/9, 2/9).
+  auto cube = Surface::read(data + "cube.obj");
+  ASSERT_TRUE(smoothing::catmull_clark(*cube, 0));
+  bool found = false;
+  for (Dart const d : cube->map().darts()) found = found || distance(cube->position(d), {2. / 9, 2. / 9, 2. / 9}) < 1e-12;
+  EXPECT_TRUE(found);
+}
+
+TEST_F(Smoothing, NestedComprehensionsLetsAndChoices) {
+  for (char const* file : {"cube.obj", "tetrahedron.off", "grid.ply"}) {
+    Map const start = read<Surface>(file);
+    for (Dart d = 0; d < start.dart_limit(); d += 5) {
+      Outcome const expected = interpret(module.rule("relax"), start, {d}, {0.25});
+      EXPECT_EQ(expected.error.empty(), std::string(file) != "tetrahedron.off") << expected.error;
+      EXPECT_EQ(generated<Surface>(
+                    start, [&](Surface& s) { return smoothing::relax(s, d, 0.25); }, COPIES(c.delete_)),
+                expected);
+    }
+    EXPECT_EQ(generated_everywhere<Surface>(start, [](Surface& s) { return smoothing::relax_everywhere(s); }),
+              interpret_everywhere(module.rule("relax"), start, {0.5}));
+  }
+}
+
+TEST_F(Smoothing, OrientedMaps) {
+  using smoothing::Halfedges;
+  for (char const* file : {"cube.obj", "tetrahedron.off", "grid.ply"}) {
+    Map const start = read<Halfedges>(file);
+    Outcome const expected = interpret(module.rule("relax_halfedges"), start, {1}, {0.3});
+    EXPECT_EQ(expected.error, "");
+    EXPECT_NE(expected.map, print_jmap(start));
+    expect_valid(expected);
+    EXPECT_EQ(generated<Halfedges>(
+                  start, [](Halfedges& h) { return smoothing::relax_halfedges(h, 1, 0.3); }, COPIES(c.a)),
+              expected);
+  }
 }
 
 // ---- Names, imported modelers, bare models ----

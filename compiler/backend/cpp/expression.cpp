@@ -129,14 +129,7 @@ struct Printer {
       case Builtin::component_2: return component(a, 2);
       case Builtin::sqrt:
       case Builtin::floor:
-      case Builtin::ceil:
-      case Builtin::sin:
-      case Builtin::cos:
-      case Builtin::tan:
-      case Builtin::atan2:
-      case Builtin::pow:
-      case Builtin::exp:
-      case Builtin::log: return call(fmt::format("std::{}", ir::spelling(a.function)), a);
+      case Builtin::ceil: return call(fmt::format("std::{}", ir::spelling(a.function)), a);
       case Builtin::count:
         return {fmt::format("static_cast<std::int64_t>({}.size())", bound(print(*a.arguments[0]), primary))};
       case Builtin::first: return first(a);
@@ -151,6 +144,13 @@ struct Printer {
       case Builtin::distance:
       case Builtin::area_vector:
       case Builtin::abs:
+      case Builtin::sin:
+      case Builtin::cos:
+      case Builtin::tan:
+      case Builtin::atan2:
+      case Builtin::pow:
+      case Builtin::exp:
+      case Builtin::log:
       case Builtin::mean:
       case Builtin::sum:
       case Builtin::min:

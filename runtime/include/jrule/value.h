@@ -49,6 +49,16 @@ constexpr std::int64_t negate(std::int64_t a) { return subtract(0, a); }
 constexpr std::int64_t abs(std::int64_t a) { return a < 0 ? negate(a) : a; }
 inline double abs(double a) { return std::abs(a); }
 
+// The functions of <cmath> that IEEE 754 does not define to the last bit, out of line: a compiler that computes some calls
+// by itself (`pow(x, 2)`, `sin(1)`) would round them differently from one place to the next.
+double sin(double a);
+double cos(double a);
+double tan(double a);
+double atan2(double y, double x);
+double pow(double base, double exponent);
+double exp(double a);
+double log(double a);
+
 // Vectors.
 constexpr Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
 constexpr Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
