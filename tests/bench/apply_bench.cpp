@@ -3,6 +3,7 @@
 
 #include <cstring>
 #include <stdexcept>
+#include <string>
 
 #include "compiler/analysis/analyze.h"
 #include "compiler/backend/interpreter/interpreter.h"
@@ -12,14 +13,16 @@ namespace {
 
 using namespace jrule;
 
-ir::RuleScheme quad_subdivision() {
+ir::RuleScheme first_rule(std::string const& path) {
   source::Sources sources;
   source::Diagnostics diagnostics;
-  sema::Modules const modules = sema::load(JRULE_SOURCE_DIR "/examples/demo/surface.jrule", {}, sources, diagnostics);
+  sema::Modules const modules = sema::load(path, {}, sources, diagnostics);
   ir::Program const program = sema::elaborate(modules, diagnostics);
-  if (program.rules.empty()) throw std::runtime_error("the demo's rules are not accepted");
+  if (program.rules.empty()) throw std::runtime_error(path + " is not accepted");
   return program.rules.front();
 }
+
+ir::RuleScheme quad_subdivision() { return first_rule(JRULE_SOURCE_DIR "/examples/demo/surface.jrule"); }
 
 // A torus of n × n quads with positions: 8 n² darts.
 Map torus(ir::RuleScheme const& rule, std::uint32_t n) {
@@ -66,6 +69,32 @@ void quad_subdivision_interpreted(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(4 * original.dart_count()));
 }
 BENCHMARK(quad_subdivision_interpreted)->Arg(112)->Unit(benchmark::kMillisecond);
+
+// Nested comprehensions at every vertex: the rate must not fall as the surface grows.
+void catmull_clark_interpreted(benchmark::State& state) {
+  ir::RuleScheme const rule = first_rule(JRULE_SOURCE_DIR "/tests/integration/rules/smoothing.jrule");
+  analysis::Plan const plan = analysis::analyze(rule).plan;
+  Map const original = torus(rule, static_cast<std::uint32_t>(state.range(0)));
+  rewrite::Workspace workspace;
+  for (auto _ : state) {
+    state.PauseTiming();
+    Map map = original;
+    state.ResumeTiming();
+    auto const applied = interpreter::apply(rule, plan, map, {0}, {}, workspace);
+    if (!applied) state.SkipWithError(applied.error().message.c_str());
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(4 * original.dart_count()));
+}
+BENCHMARK(catmull_clark_interpreted)->Arg(28)->Arg(56)->Arg(112)->Unit(benchmark::kMillisecond);
+
+// One dart for each vertex of the whole surface: as one orbit of 8 n² darts.
+void representatives_of_vertices(benchmark::State& state) {
+  Map const map = torus(quad_subdivision(), static_cast<std::uint32_t>(state.range(0)));
+  OrbitType const all = orbit_of_dimensions({0, 1, 2}), vertex = orbit_of_dimensions({1, 2});
+  for (auto _ : state) benchmark::DoNotOptimize(rewrite::representatives(map, all, vertex, 0));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(map.dart_count()));
+}
+BENCHMARK(representatives_of_vertices)->Arg(28)->Arg(112)->Arg(448)->Unit(benchmark::kMillisecond);
 
 // The roofline: as many bytes as the result's arcs and handles, copied.
 void copy_result(benchmark::State& state) {

@@ -216,6 +216,29 @@ TEST(Emit, CodeReadsFromTopToBottom) {
   EXPECT_TRUE(match < plan && plan < room && room < commit && commit < end && end != std::string::npos);
 }
 
+TEST(Emit, ComprehensionsAreLambdas) {
+  std::string const code = emit_module(R"(modeler Shape on gmap(2) { embedding position : <1,2> -> Point3; }
+rule smooth on Shape {
+  left {
+    hook a <1,2>;
+    let start = a@[0,1];
+    require all(count(<0,1>(k) by <0>) > 3 for k in <1,2>(start) by <1>) and count(1 for e in <1,2>(a)) > 2 + 2;
+  }
+  right { a { position = if a@2 == a then start.position else mean(mean((<0,1>(f) by <>).position) for f in <1,2>(a)); } }
+}
+)").code;
+  expect_contains(code, "  jrule::Dart const start = map.target(map.target(a, 0), 1);\n");
+  expect_contains(code,
+                  "  if (!(jrule::rewrite::all(jrule::rewrite::each(map, orbit_1_2, orbit_1, start, [&](jrule::Dart k_) { "
+                  "return static_cast<std::int64_t>(jrule::rewrite::representatives(map, orbit_0_1, orbit_0, k_).size()) > "
+                  "std::int64_t{3}; })) && static_cast<std::int64_t>(jrule::rewrite::each(map, orbit_1_2, {}, a, "
+                  "[&](jrule::Dart) { return std::int64_t{1}; }).size()) > std::int64_t{4})) {\n");
+  expect_contains(code,
+                  "new_position.add(map.target(match_a[k], 2) == match_a[k] ? position_of[start] : "
+                  "jrule::mean(jrule::rewrite::each(map, orbit_1_2, {}, match_a[k], [&](jrule::Dart f) { return "
+                  "jrule::mean(position_of.over(map, orbit_0_1, {}, f)); })));\n");
+}
+
 TEST(Emit, EqualInputsGiveEqualBytes) {
   Emitted const first = emit_module(shapes), second = emit_module(shapes);
   EXPECT_EQ(first.header, second.header);

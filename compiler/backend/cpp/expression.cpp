@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <set>
+
 #include "compiler/backend/cpp/text.h"
 
 namespace jrule::cpp {
@@ -24,6 +26,7 @@ std::string bound(Code const& code, Binding least) { return code.binding < least
 struct Printer {
   Function const& f;
   Where where;
+  mutable std::set<std::size_t> mentioned{};  // levels of the comprehensions whose variables are
 
   std::string orbit_type(OrbitType const& type) const { return type.words.empty() ? "{}" : f.orbit_types.at(type); }
 
@@ -40,7 +43,10 @@ struct Printer {
     if (where == Where::in_loop) return {f.dart(n.node)};
     return {f.node(n.node).hook ? f.hooks[*f.node(n.node).hook] : f.darts[n.node] + "[0]"};
   }
-  Code print_node(ir::Bound const& b) const { return {f.variable(b)}; }
+  Code print_node(ir::Bound const& b) const {
+    mentioned.insert(b.level);
+    return {f.variables.at(b.name)};
+  }
   Code print_node(ir::Walk const& w) const { return {walk(f.map, print(*w.from).text, w.path)}; }
   // The arguments that say which darts: "map, orbit_1_2, orbit_1, a".
   std::string darts(ir::Darts const& d) const {
@@ -56,8 +62,10 @@ struct Printer {
     return {fmt::format("{}.over({})", f.values[c.embedding], darts(c.over))};
   }
   Code print_node(ir::ForEach const& e) const {
-    return {fmt::format("jrule::rewrite::each({}, [&]([[maybe_unused]] jrule::Dart {}) {{ return {}; }})", darts(e.over),
-                        f.variable(e.variable), print(*e.element).text)};
+    mentioned.erase(e.variable.level);
+    std::string const element = print(*e.element).text;
+    std::string const name = mentioned.contains(e.variable.level) ? ' ' + f.variables.at(e.variable.name) : "";
+    return {fmt::format("jrule::rewrite::each({}, [&](jrule::Dart{}) {{ return {}; }})", darts(e.over), name, element)};
   }
   Code print_node(ir::Conditional const& c) const {
     return {fmt::format("{} ? {} : {}", bound(print(*c.condition), disjunction),

@@ -122,8 +122,8 @@ void Function::use(ir::Expr const& expr) {
       f.use(c.over);
     }
     void operator()(ir::ForEach const& e) const {
-      auto const& [level, name] = e.variable;
-      if (!f.variables.contains({level, name})) f.variables[{level, name}] = f.scope.take(name);
+      std::string const& name = e.variable.name;
+      if (!f.variables.contains(name)) f.variables[name] = f.scope.take(name);
       f.use(e.over);
       f.use(*e.element);
     }

@@ -38,7 +38,7 @@ struct Function {
   std::vector<std::string> lets;
   std::vector<std::string> embeddings, values, new_values;
   std::map<OrbitType, std::string> orbit_types;     ///< those that expressions range over
-  std::map<std::pair<std::size_t, std::string>, std::string> variables;  ///< of comprehensions, by level and name
+  std::map<std::string, std::string> variables;     ///< of comprehensions; those of one name are never within each other
   std::vector<std::string> hook_loops;              ///< by hook
   std::map<std::vector<Word>, std::string> firsts;  ///< by generators: by pattern dart, the first one of its orbit
   std::vector<std::string> handles;                 ///< by component of the plan
@@ -56,7 +56,6 @@ struct Function {
   ir::Node const& node(ir::NodeId id) const { return rule.nodes[id]; }
   EmbeddingSpec const& spec(std::size_t e) const { return rule.modeler->embeddings[e]; }
   std::string const& local(std::string_view name) const { return locals.find(name)->second; }
-  std::string const& variable(ir::Bound const& bound) const { return variables.at({bound.level, bound.name}); }
   /// "match_a[k]", "match_a[at_2[k]]".
   std::string dart(ir::NodeId id, Word const& word = {}) const;
   /// The index of u_k·word: "k", "at_2[k]".
