@@ -45,8 +45,9 @@ Verdict analyze(ir::RuleScheme const& rule) {
   append(verdict.refusals, check_closedness(rule, words));
   append(verdict.refusals, check_cycles(completed.rule, group, words));
   if (!verdict.accepted()) return verdict;
-  EmbeddingAnalysis embeddings = analyze_embeddings(completed.rule);
+  EmbeddingAnalysis embeddings = analyze_embeddings(completed.rule, words);
   append(verdict.refusals, std::move(embeddings.refusals));
+  verdict.warnings = std::move(embeddings.warnings);
   // Completed arcs are preserved and hold wherever the rest matches: the application needs only the rule as written.
   verdict.plan = plan_application(rule);
   verdict.plan.orbits = std::move(embeddings.orbits);

@@ -9,6 +9,7 @@ namespace jrule::analysis {
 struct Verdict {
   Refusals refusals;  ///< empty iff the rule is accepted: then every application turns a map of the model into one
   Plan plan;          ///< meaningful only if accepted
+  std::vector<source::Diagnostic> warnings;  ///< of rules that satisfy the topological conditions
   bool accepted() const { return refusals.empty(); }
 };
 

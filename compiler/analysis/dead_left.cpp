@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "compiler/analysis/wording.h"
 
 namespace jrule::analysis {
@@ -48,13 +50,18 @@ Refusals check_dead_left(ir::RuleScheme const& rule, algebra::Group const& group
                         arc.source, arc.dimension, -1});
     return refusals;
   }
-  for (Relation const& relation : words.relations()) {
-    if (!group.is_conjugate_to_letter(relation.word)) continue;
-    refusals.push_back({{.code = Code::dead_fixed_dart, .span = relation.span,
-                         .message = fmt::format("no map matches the left side: {} would lead a dart back to itself", describe(relation.word)),
-                         .notes = {relation.reason, fmt::format("in a {} no arc leads from a dart to itself, so that path leads to another dart", map_name(rule.model()))}},
-                        0, -1, -1});
+  // ε leads where a conjugate of a letter does.
+  auto const fixed = words.derive_conjugate_of_letter({});
+  if (!fixed) return refusals;
+  Relation const& first = words.relations()[fixed->steps.front().relation];
+  source::Diagnostic diagnostic{.code = Code::dead_fixed_dart, .span = first.span,
+                                .message = fmt::format("no map matches the left side: {} would lead a dart back to itself", describe(fixed->steps.back().result))};
+  for (Derivation::Step const& step : fixed->steps) {
+    std::string const& reason = words.relations()[step.relation].reason;
+    if (std::find(diagnostic.notes.begin(), diagnostic.notes.end(), reason) == diagnostic.notes.end()) diagnostic.notes.push_back(reason);
   }
+  diagnostic.notes.push_back(fmt::format("in a {} no arc leads from a dart to itself, so that path leads to another dart", map_name(rule.model())));
+  refusals.push_back({std::move(diagnostic), 0, -1, -1});
   return refusals;
 }
 

@@ -6,6 +6,7 @@
 
 #include "compiler/algebra/group.h"
 #include "compiler/analysis/placement.h"
+#include "compiler/analysis/representative.h"
 #include "compiler/analysis/wording.h"
 
 namespace jrule::analysis {
@@ -35,6 +36,7 @@ struct OrbitAnalysis {
   std::size_t embedding;
   algebra::Group const& group;
   Placement const& placement;
+  PatternWords const& words;
   ir::Table const& right;
   EmbeddingAnalysis& result;
   std::vector<Link> links{};
@@ -217,6 +219,24 @@ struct OrbitAnalysis {
                         spec().name, spec().name)});
   }
 
+  // The component is rooted at the clause's node: its value is computed at one of the pattern darts u, u·g, …
+  void warn_if_dependent(OrbitComponent const& component, ir::Clause const& clause) {
+    for (Word const& g : component.generators) {
+      if (words.trivial(g)) continue;
+      ir::Expr const* const part = RepresentativeCheck(rule, group, placement, words).changed_by(*clause.value, g);
+      if (!part) continue;
+      std::string const name = rule.nodes[clause.node].name;
+      result.warnings.push_back(
+          {.code = Code::representative_dependence, .span = part->span,
+           .message = fmt::format("the `{}` of the {} of `{}` depends on the dart that it is computed at", spec().name, orbit(), name),
+           .labels = {{rule.nodes[clause.node].right_span.value(), fmt::format("{} leads from one dart of the pattern to another whose `{}` is of the same {}",
+                                                                              describe(g), name, orbit())}},
+           .notes = {"this may be another value there, and which of the darts is taken is not said",
+                     "let each dart give the same: `mean` or another aggregate over an orbit, or an expression that is symmetric in both"}});
+      return;
+    }
+  }
+
   void classify(OrbitComponent component, std::vector<std::size_t> const& clauses) {
     if (clauses.size() > 1) {
       ir::Clause const& first = rule.clauses[clauses[0]];
@@ -225,7 +245,10 @@ struct OrbitAnalysis {
              {{first.span, "the first value"}}, {"an orbit has one value of each embedding; give it on one of its nodes"});
       return;
     }
-    if (!clauses.empty()) component.clause = clauses.front();
+    if (!clauses.empty()) {
+      component.clause = clauses.front();
+      warn_if_dependent(component, rule.clauses[clauses.front()]);
+    }
     auto const found = anchors_of(component);
     if (found.empty()) {
       component.kind = OrbitComponent::Kind::fresh;
@@ -290,13 +313,13 @@ struct OrbitAnalysis {
 
 }  // namespace
 
-EmbeddingAnalysis analyze_embeddings(ir::RuleScheme const& completed) {
+EmbeddingAnalysis analyze_embeddings(ir::RuleScheme const& completed, PatternWords const& words) {
   EmbeddingAnalysis result;
   algebra::Group const group(completed.model());
   Placement const placement(completed, group);
   ir::Table const right(completed.nodes.size(), completed.right);
   for (std::size_t e = 0; e < completed.modeler->embeddings.size(); ++e) {
-    OrbitAnalysis{completed, e, group, placement, right, result}.run();
+    OrbitAnalysis{completed, e, group, placement, words, right, result}.run();
   }
   return result;
 }

@@ -37,10 +37,13 @@ int check(CheckOptions const& options) {
     if (options.common.format == MessageFormat::human && compilation->read()) {
       auto const accepted = std::count_if(compilation->verdicts.begin(), compilation->verdicts.end(), [](auto const& v) { return v.accepted(); });
       auto const shown = compilation->diagnostics.sorted();  // without repetitions
-      auto const errors =
-          std::count_if(shown.begin(), shown.end(), [](auto const& d) { return source::info(d.code).severity == source::Severity::error; });
+      auto const count = [&](source::Severity severity) {
+        return std::count_if(shown.begin(), shown.end(), [&](auto const& d) { return source::severity(d) == severity; });
+      };
+      auto const errors = count(source::Severity::error), warnings = count(source::Severity::warning);
       fmt::print("{}: {} rule{} accepted", file, accepted, accepted == 1 ? "" : "s");
       if (errors != 0) fmt::print(", {} error{}", errors, errors == 1 ? "" : "s");
+      if (warnings != 0) fmt::print(", {} warning{}", warnings, warnings == 1 ? "" : "s");
       fmt::print("\n");
     }
   }

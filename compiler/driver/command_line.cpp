@@ -18,6 +18,9 @@ void add_common(CLI::App& app, Common& common) {
   app.add_option("--message-format", common.format, "human, or json: one object a line on standard output")
       ->transform(CLI::Transformer(formats))
       ->type_name("human|json");
+  app.add_option_function<std::string>("-W", [&common](std::string const&) { common.warnings_are_errors = true; }, "-Werror: warnings are errors")
+      ->check(CLI::IsMember({"error"}))
+      ->type_name("error");
   app.add_option("--color", common.color, "colour of messages")->transform(CLI::Transformer(colors))->type_name("auto|always|never");
 }
 

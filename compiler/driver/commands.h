@@ -20,6 +20,7 @@ struct Common {
   std::vector<std::string> import_dirs;  ///< -I
   MessageFormat format = MessageFormat::human;
   ColorMode color = ColorMode::automatic;
+  bool warnings_are_errors = false;  ///< -W error
 };
 
 struct CheckOptions {

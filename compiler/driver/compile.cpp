@@ -15,6 +15,7 @@ analysis::Verdict judge(ir::RuleScheme const& rule, source::Diagnostics& diagnos
   analysis::Verdict verdict = analysis::analyze(rule);
   refute(rule, verdict, files);
   for (analysis::Refusal const& refusal : verdict.refusals) diagnostics.add(refusal.diagnostic);
+  for (source::Diagnostic const& warning : verdict.warnings) diagnostics.add(warning);
   return verdict;
 }
 
@@ -25,6 +26,7 @@ std::unique_ptr<Compilation> compile(std::string const& path, Common const& comm
   for (ir::RuleScheme const& rule : compilation->program.rules) {
     compilation->verdicts.push_back(judge(rule, compilation->diagnostics, files));
   }
+  if (common.warnings_are_errors) compilation->diagnostics.make_errors_of_warnings();
   return compilation;
 }
 

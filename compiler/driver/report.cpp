@@ -38,7 +38,7 @@ int status(source::Diagnostics const& diagnostics) {
   int result = exit_ok;
   for (source::Diagnostic const& diagnostic : diagnostics.all()) {
     if (diagnostic.code == source::Code::cannot_read_file) return exit_usage;
-    if (source::info(diagnostic.code).severity == source::Severity::error) result = exit_refused;
+    if (source::severity(diagnostic) == source::Severity::error) result = exit_refused;
   }
   return result;
 }

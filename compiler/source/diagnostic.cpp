@@ -55,9 +55,18 @@ std::string_view explanation(Code code) {
   return found == pages().end() ? std::string_view{} : found->text;
 }
 
+Severity severity(Diagnostic const& diagnostic) {
+  Severity const own = info(diagnostic.code).severity;
+  return diagnostic.as_error && own == Severity::warning ? Severity::error : own;
+}
+
+void Diagnostics::make_errors_of_warnings() {
+  for (Diagnostic& diagnostic : all_) diagnostic.as_error = true;
+}
+
 std::size_t Diagnostics::error_count() const {
   return static_cast<std::size_t>(std::count_if(
-      all_.begin(), all_.end(), [](Diagnostic const& d) { return info(d.code).severity == Severity::error; }));
+      all_.begin(), all_.end(), [](Diagnostic const& d) { return severity(d) == Severity::error; }));
 }
 
 std::vector<Diagnostic> Diagnostics::sorted() const {

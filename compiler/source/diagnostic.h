@@ -54,13 +54,17 @@ struct Diagnostic {
   std::vector<Label> labels{};
   std::vector<std::string> notes{};  ///< "in a 2-G-map every dart has exactly one 2-arc (paper, Def. 22)"
   std::vector<FixIt> fixits{};
+  bool as_error = false;  ///< a warning that the user wants to be an error
 };
+/// Its code's, or error.
+Severity severity(Diagnostic const& diagnostic);
 
 class Diagnostics {
  public:
   void add(Diagnostic diagnostic) { all_.push_back(std::move(diagnostic)); }
   std::size_t error_count() const;
   bool has_errors() const { return error_count() != 0; }
+  void make_errors_of_warnings();
   std::vector<Diagnostic> const& all() const { return all_; }
   /// By file, then position; those at one place in the order they were found. Exact repetitions once.
   std::vector<Diagnostic> sorted() const;

@@ -225,7 +225,7 @@ std::string first_line(Sources const& sources, Diagnostic const& diagnostic, Pai
 }  // namespace
 
 std::string render_human(Sources const& sources, Diagnostic const& diagnostic, HumanStyle style) {
-  Painter const painter(style, info(diagnostic.code).severity);
+  Painter const painter(style, severity(diagnostic));
   auto const marks = marks_of(sources, diagnostic);
   std::size_t last_line = 1;
   for (auto const& m : marks) last_line = std::max(last_line, m.line);

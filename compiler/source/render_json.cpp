@@ -29,7 +29,7 @@ std::string render_json(Sources const& sources, Diagnostic const& diagnostic) {
   Json object;
   object["schema"] = 1;
   object["code"] = code.number;
-  object["severity"] = word(code.severity);
+  object["severity"] = word(severity(diagnostic));
   object["message"] = diagnostic.message;
   add_place(object, sources, diagnostic.span);
   object["notes"] = diagnostic.notes;
