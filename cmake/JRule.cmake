@@ -8,13 +8,14 @@
 
 set(JRULE_EXECUTABLE "" CACHE FILEPATH "The jrule compiler to run; empty: the one that this build makes")
 
-# jrule_add_rules(target RULES file.jrule ... [IMPORT_DIRS dir ...] [NAMESPACE my::ops] [HEADER_PREFIX my/ops])
+# jrule_add_rules(target RULES file.jrule ... [IMPORT_DIRS dir ...] [NAMESPACE my::ops] [HEADER_PREFIX my/ops]
+#                 [WARNINGS_AS_ERRORS])
 #
 # Compiles each file into <name>.h and <name>.cpp, and adds them to the target: `#include "<name>.h"`, or
 # "my/ops/<name>.h" with HEADER_PREFIX. A file is compiled again when it or a module that it imports changes. A rule that
 # jrule refuses stops the build at its line.
 function(jrule_add_rules target)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "NAMESPACE;HEADER_PREFIX" "RULES;IMPORT_DIRS")
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "WARNINGS_AS_ERRORS" "NAMESPACE;HEADER_PREFIX" "RULES;IMPORT_DIRS")
   if(ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "jrule_add_rules(${target}): unknown arguments ${ARG_UNPARSED_ARGUMENTS}")
   endif()
@@ -31,6 +32,9 @@ function(jrule_add_rules target)
   endif()
   if(ARG_NAMESPACE)
     list(APPEND flags --namespace "${ARG_NAMESPACE}")
+  endif()
+  if(ARG_WARNINGS_AS_ERRORS)
+    list(APPEND flags -Werror)
   endif()
   foreach(dir IN LISTS ARG_IMPORT_DIRS)
     get_filename_component(dir "${dir}" ABSOLUTE)

@@ -17,11 +17,13 @@ enum class Order {
   exact,   ///< first
 };
 
-/// A dart read by an expression: of a node at the pattern dart, or bound by a comprehension, and a path from there.
+/// A dart read by an expression: of a node at the pattern dart, bound by a comprehension or given by a `let`; and a path from there.
 struct Place {
-  bool bound = false;
-  std::size_t base = 0;  ///< the hook of the node's component; the variable's level
-  Word word;             ///< from the hook's dart, offset included; from the bound dart
+  enum class From { node, bound, let } from = From::node;
+  std::size_t base = 0;  ///< the hook of the node's component; the variable's level; the let
+  Word word;             ///< from the hook's dart, offset included; from the bound or given dart
+
+  bool beside(Place const& other) const { return from == other.from && base == other.base; }
 };
 
 /// An expression at u beside another one, or itself, at u·g.
@@ -39,11 +41,12 @@ struct Comparison {
       auto const& offset = placement.offset(node->node);
       auto const moved = placement.translate(hook, shifted ? shift : Word{});
       if (!offset || !moved) return {};
-      return Place{false, hook, group.product(*moved, *offset)};
+      return Place{Place::From::node, hook, group.product(*moved, *offset)};
     }
     if (auto const* bound = std::get_if<ir::Bound>(&dart.value)) {
-      return Place{true, bound->level, shifted ? bound_shift.at(bound->level) : Word{}};
+      return Place{Place::From::bound, bound->level, shifted ? bound_shift.at(bound->level) : Word{}};
     }
+    if (auto const* let = std::get_if<ir::LetRef>(&dart.value)) return Place{Place::From::let, let->index, {}};  // the hooks'
     if (auto const* walk = std::get_if<ir::Walk>(&dart.value)) {
       auto from = place(*walk->from, shifted);
       if (from) from->word = group.product(from->word, walk->path);
@@ -53,22 +56,59 @@ struct Comparison {
   }
 
   // The word that leads from the one to the other, if they are read from one dart.
+  std::optional<Word> between(Place const& from, Place const& to) const {
+    if (!from.beside(to)) return {};
+    if (of_pattern(from) && words.equal(from.word, to.word)) return Word{};
+    return group.product(group.inverse(from.word), to.word);
+  }
   std::optional<Word> between(Expr const& a, Expr const& b) const {
     auto const from = place(a, false), to = place(b, true);
-    if (!from || !to || from->bound != to->bound || from->base != to->base) return {};
-    // u·v = u·w for all u: the left side may force it.
-    if (!from->bound && from->base == 0 && words.equal(from->word, to->word)) return Word{};
-    return group.product(group.inverse(from->word), to->word);
+    return from && to ? between(*from, *to) : std::nullopt;
   }
+
+  // The left side may force u·v = u·w for all pattern darts u.
+  static bool of_pattern(Place const& place) { return place.from == Place::From::node && place.base == 0; }
 
   bool same_dart(Expr const& a, Expr const& b) const {
     auto const word = between(a, b);
     return word && word->empty();
   }
 
+  bool same_orbit(Place const& from, Place const& to, OrbitType const& orbit) const {
+    auto const word = between(from, to);
+    if (!word) return false;
+    if (group.in_orbit(*word, orbit)) return true;
+    return of_pattern(from) && std::any_of(orbit.words.begin(), orbit.words.end(), [&](Word const& h) {
+             return words.equal(group.product(from.word, h), to.word);
+           });
+  }
   bool same_orbit(Expr const& a, Expr const& b, OrbitType const& orbit) const {
-    auto const word = between(a, b);
-    return word && group.in_orbit(*word, orbit);
+    auto const from = place(a, false), to = place(b, true);
+    return from && to && same_orbit(*from, *to, orbit);
+  }
+
+  // The elements of an orbit of at most two dimensions, where all maps have the same; none else.
+  std::vector<Word> elements(OrbitType const& orbit) const {
+    std::vector<Word> all{Word{}};
+    for (Word const& word : orbit.words) {
+      if (!group.is_identity(group.product(word, word)) || orbit.words.size() > 2) return {};
+      for (std::size_t k = all.size(); k-- > 0;) all.push_back(group.product(all[k], word));
+    }
+    bool const commute = orbit.words.size() < 2 || group.product(orbit.words[0], orbit.words[1]) == group.product(orbit.words[1], orbit.words[0]);
+    return commute ? all : std::vector<Word>{};
+  }
+
+  // Dart by dart, the values of both orbits are the same.
+  bool same_elements(ir::Darts const& a, ir::Darts const& b, OrbitType const& value_orbit) const {
+    auto const from = place(*a.at, false), to = place(*b.at, true);
+    auto const all = elements(a.orbit);
+    if (!from || !to || all.empty() || a.orbit != b.orbit || a.by != b.by) return false;
+    return std::all_of(all.begin(), all.end(), [&](Word const& o) {
+      Place x = *from, y = *to;
+      x.word = group.product(x.word, o);
+      y.word = group.product(y.word, o);
+      return same_orbit(x, y, value_orbit);
+    });
   }
 
   // The sense of rotation turns with each letter of a non-oriented dimension; all relations have an even number of them.
@@ -77,27 +117,46 @@ struct Comparison {
     return word && std::count_if(word->begin(), word->end(), [&](Letter l) { return !group.model().is_oriented(l.dimension); }) % 2 == 0;
   }
 
-  bool same_darts(ir::Darts const& a, ir::Darts const& b, Order order) const {
+  // A letter that commutes with all words of ⟨orbit⟩ and ⟨by⟩ takes the orbit of a dart, dart by dart, to that of the dart where it
+  // leads. Where it also takes each dart to one with the same value (`keeps`), the two orbits have the same values.
+  template <typename Keeps>
+  OrbitType with_neighbours(ir::Darts const& darts, Keeps const& keeps) const {
+    OrbitType result = darts.orbit;
+    for (int const d : group.model().dimensions) {
+      Word const letter{{static_cast<std::uint8_t>(d), false}};
+      auto const commute = [&](Word const& word) { return group.product(letter, word) == group.product(word, letter); };
+      auto const all_commute = [&](OrbitType const& orbit) { return std::all_of(orbit.words.begin(), orbit.words.end(), commute); };
+      if (all_commute(darts.orbit) && all_commute(darts.by) && keeps(letter)) result.words.push_back(letter);
+    }
+    return result;
+  }
+
+  template <typename Keeps>
+  bool same_darts(ir::Darts const& a, ir::Darts const& b, Order order, Keeps const& keeps) const {
     if (a.orbit != b.orbit || a.by != b.by) return false;
     if (same_dart(*a.at, *b.at)) return true;
-    return order != Order::exact && same_orbit(*a.at, *b.at, a.orbit) && (order == Order::none || same_sense(*a.at, *b.at));
+    if (order == Order::exact) return false;
+    if (order == Order::cyclic) return same_orbit(*a.at, *b.at, a.orbit) && same_sense(*a.at, *b.at);
+    return same_orbit(*a.at, *b.at, with_neighbours(a, keeps));
   }
 
   // A comprehension takes one dart of each ⟨by⟩-orbit, which one depends on where it starts: then its element has to be the same at
   // all of them.
   bool same_comprehension(ir::ForEach const& a, ir::ForEach const& b, Order order) const {
-    bool const start = same_dart(*a.over.at, *b.over.at);
-    if (!same_darts(a.over, b.over, order == Order::none ? order : Order::exact)) return false;
+    std::size_t const level = a.variable.level;
+    if (level != b.variable.level) return false;
     Comparison inner = *this;
-    inner.bound_shift.resize(std::max(a.variable.level, b.variable.level) + 1);
-    inner.bound_shift[a.variable.level] = {};
-    if (a.variable.level != b.variable.level || !inner.same(*a.element, *b.element, order)) return false;
-    if (start) return true;
+    inner.bound_shift.resize(level + 1);
+    inner.bound_shift[level] = {};
+    if (!inner.same(*a.element, *b.element, order)) return false;
+    if (same_dart(*a.over.at, *b.over.at)) return a.over.orbit == b.over.orbit && a.over.by == b.over.by;
     inner.shift = {};
-    return std::all_of(a.over.by.words.begin(), a.over.by.words.end(), [&](Word const& h) {
-      inner.bound_shift[a.variable.level] = h;
+    auto const keeps = [&](Word const& word) {
+      inner.bound_shift[level] = word;
       return inner.same(*a.element, *a.element, Order::none);
-    });
+    };
+    return order == Order::none && same_darts(a.over, b.over, order, keeps) &&
+           std::all_of(a.over.by.words.begin(), a.over.by.words.end(), keeps);
   }
 
   static bool commutes(Builtin f) {
@@ -125,9 +184,35 @@ struct Comparison {
     return all;
   }
 
+  // Of the lists among its arguments. Of an area vector that is read only for its length, the sense of rotation plays no part.
+  static Order order_of(ir::Apply const& apply) {
+    return apply.function == Builtin::first ? Order::exact : apply.function == Builtin::area_vector ? Order::cyclic : Order::none;
+  }
+  bool same_length(Expr const& a, Expr const& b) const {
+    auto const *x = std::get_if<ir::Apply>(&a.value), *y = std::get_if<ir::Apply>(&b.value);
+    return x && y && x->function == Builtin::area_vector && y->function == Builtin::area_vector && same(*x->arguments[0], *y->arguments[0], Order::none);
+  }
+
+  // d == e says that the path from d to e returns to its dart: that of a word is said by its conjugates, backwards too.
+  std::optional<Place> loop(ir::Apply const& equality, bool shifted) const {
+    auto from = place(*equality.arguments[0], shifted);
+    auto const to = place(*equality.arguments[1], shifted);
+    if (!from || !to || !from->beside(*to)) return {};
+    from->word = group.product(from->word, group.inverse(to->word));
+    return from;
+  }
+  bool same_loops(ir::Apply const& a, ir::Apply const& b) const {
+    bool const equality = a.function == Builtin::equal || a.function == Builtin::not_equal;
+    if (!equality || !(a.arguments[0]->type == ir::dart_type) || !(b.arguments[0]->type == ir::dart_type)) return false;
+    auto const x = loop(a, false), y = loop(b, true);
+    return x && y && x->beside(*y) && (x->word == y->word || x->word == group.inverse(y->word));
+  }
+
   bool same_applications(ir::Apply const& a, ir::Apply const& b) const {
+    if (same_loops(a, b) && a.function == b.function) return true;
     if (a.function != b.function || a.arguments.size() != b.arguments.size()) return false;
-    Order const order = a.function == Builtin::first ? Order::exact : a.function == Builtin::area_vector ? Order::cyclic : Order::none;
+    if (a.function == Builtin::norm && same_length(*a.arguments[0], *b.arguments[0])) return true;
+    Order const order = order_of(a);
     if (!commutes(a.function) || a.arguments.size() < 2) {
       return std::equal(a.arguments.begin(), a.arguments.end(), b.arguments.begin(),
                         [&](ExprPtr const& x, ExprPtr const& y) { return same(*x, *y, order); });
@@ -157,12 +242,17 @@ struct Comparison {
   bool same_value(ir::NodeDart const&, ir::NodeDart const&, Order) const { return false; }               // darts: see same
   bool same_value(ir::Bound const&, ir::Bound const&, Order) const { return false; }
   bool same_value(ir::Walk const&, ir::Walk const&, Order) const { return false; }
-  bool same_value(ir::Darts const& a, ir::Darts const& b, Order order) const { return same_darts(a, b, order); }
+  bool same_value(ir::Darts const& a, ir::Darts const& b, Order order) const {  // they are counted
+    return same_darts(a, b, order, [](Word const&) { return true; });
+  }
   bool same_value(ir::ValueAt const& a, ir::ValueAt const& b, Order) const {
     return a.embedding == b.embedding && same_orbit(*a.at, *b.at, rule.modeler->embeddings[a.embedding].orbit);
   }
   bool same_value(ir::Collect const& a, ir::Collect const& b, Order order) const {
-    return a.embedding == b.embedding && same_darts(a.over, b.over, order);
+    OrbitType const& orbit = rule.modeler->embeddings[a.embedding].orbit;
+    if (a.embedding != b.embedding) return false;
+    if (order == Order::none && same_elements(a.over, b.over, orbit)) return true;
+    return same_darts(a.over, b.over, order, [&](Word const& word) { return group.in_orbit(word, orbit); });
   }
   bool same_value(ir::ForEach const& a, ir::ForEach const& b, Order order) const { return same_comprehension(a, b, order); }
   bool same_value(ir::Apply const& a, ir::Apply const& b, Order) const { return same_applications(a, b); }
@@ -176,7 +266,7 @@ struct Comparison {
     std::vector<ExprPtr> parts;
     if (auto const* apply = std::get_if<ir::Apply>(&e.value)) {
       parts = apply->arguments;
-      order = apply->function == Builtin::first ? Order::exact : apply->function == Builtin::area_vector ? Order::cyclic : Order::none;
+      order = order_of(*apply);
     }
     if (auto const* choice = std::get_if<ir::Conditional>(&e.value)) parts = {choice->condition, choice->then_value, choice->else_value};
     for (ExprPtr const& part : parts) {
