@@ -22,6 +22,9 @@ std::optional<std::size_t> partner_of(Model const& model, Word const& word, std:
   for (std::size_t k = right; k-- > 0;) {
     if (are_inverse(model, word[k], moving)) return k;
     if (!model.exchanges(word[k].dimension, moving.dimension)) return {};
+    // (i·j)² = ε says i·j = j̄·ī, and so ī·j̄ = j·i; of i·j̄ it says nothing where both are oriented.
+    bool const both = model.is_oriented(word[k].dimension) && model.is_oriented(moving.dimension);
+    if (both && word[k].conjugate != moving.conjugate) return {};
     turn(model, moving);
   }
   return {};
@@ -40,7 +43,8 @@ Word after(Model const& model, Word word, Cancellation step) {
 // makes an element one longer, or one shorter, and then it cancels with a letter that only exchangeable ones separate from it.
 // (In the Coxeter group of group.cpp, equal letters cancel that only commuting letters separate. z commutes with no oriented
 // dimension, so between two oriented letters that cancel the z's cancel each other: they are even in number, which says that
-// the letters turn into inverse ones on the way.)
+// the letters turn into inverse ones on the way. That no z is left between an oriented letter and one of the other class that it
+// passes says that their directions are equal.)
 std::optional<Cancellations> cancel(Model const& model, Word word) {
   Cancellations steps;
   for (std::size_t at = 0; at < word.size();) {

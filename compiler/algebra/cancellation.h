@@ -13,7 +13,8 @@ class Group;
 
 /// One step on the way to ε: of the word as it stands, the letter at `right` is moved left, past the letters between, to stand
 /// beside the one at `left`, with which it cancels. It passes exchangeable letters only. From (xy)² = ε, x·y = ȳ·x̄: of an
-/// exchangeable pair an oriented letter turns round where the two change places. (At most one of them is oriented.)
+/// exchangeable pair an oriented letter turns round where the two change places. If both are oriented, they change places only if both are
+/// conjugates or neither is.
 struct Cancellation {
   std::size_t left = 0, right = 0;
   bool operator==(Cancellation const&) const = default;

@@ -1,20 +1,24 @@
 // Γ inside a right-angled Coxeter group.
 //
-// Suppose that no exchangeable pair joins two oriented dimensions. Let W be the right-angled Coxeter group on D ∪ {z}
-// whose commuting pairs are those of E and {n, z} for n ∈ N. Then i ↦ i·z (i ∈ D) embeds Γ into W, as the subgroup of
-// the words of even length.
+// Suppose that the oriented dimensions O are of two classes, A and B, so that no exchangeable pair joins two of one class: the
+// graph of the pairs of E inside O is bipartite. Let W be the right-angled Coxeter group on D ∪ {z} whose commuting pairs are
+// those of E and {n, z} for n ∈ N. Then a ↦ a·z for a ∈ A ∪ N, b ↦ z·b for b ∈ B embeds Γ into W, as the subgroup of the words
+// of even length.
 //
-// It respects the relations: (n·z)² = ε, and for {i, n} ∈ E with n ∈ N, (i·z)(n·z) = i·n, whose square is ε.
+// It respects the relations: (n·z)² = ε; for {a, n} ∈ E with n ∈ N, (a·z)(n·z) = a·n, whose square is ε, and for {b, n},
+// (z·b)(n·z) = z·(b·n)·z; for {a, b} ∈ E, (a·z)(z·b) = a·b.
 //
 // It is injective. θ(i) = ī for i ∈ O, θ(n) = n for n ∈ N is an automorphism of Γ of order two: {i, n} ∈ E says that
-// n·i·n = ī, hence n·ī·n = i and (ī·n)² = ε. In Γ ⋊ ⟨z⟩, where z·g·z = θ(g), let i' = i·z. Then i'² = i·θ(i) = ε for
-// all i; z·n' = θ(n)·z² = n = n'·z for n ∈ N; and (i'·n')² = (i·θ(n))² = (i·n)² = ε for {i, n} ∈ E with n ∈ N. So
-// i ↦ i', z ↦ z is a homomorphism W → Γ ⋊ ⟨z⟩, and after Γ → W it sends i to i'·z = i.
+// n·i·n = ī, hence n·ī·n = i and (ī·n)² = ε; {i, j} ∈ E inside O says (i·j)² = ε, hence (j̄·ī)² = ε and, conjugated, (ī·j̄)² = ε.
+// In Γ ⋊ ⟨z⟩, where z·g·z = θ(g), let a' = a·z for a ∈ A ∪ N, b' = z·b for b ∈ B. Then a'² = a·θ(a) = ε and b'² = θ(b)·b = ε;
+// z·n' = θ(n)·z² = n = n'·z for n ∈ N; for {a, n} ∈ E with n ∈ N, (a'·n')² = (a·θ(n))² = (a·n)² = ε, and for {b, n},
+// (b'·n')² = (z·b·n·z)² = ε; for {a, b} ∈ E, (a'·b')² = (a·b)² = ε. So i ↦ i', z ↦ z is a homomorphism W → Γ ⋊ ⟨z⟩, and after
+// Γ → W it sends a to a'·z = a and b to z·b' = b.
 //
-// It reaches all even words: i·z, z·i = ī, and i·j = (i·z)(z·j) for i, j ∈ D.
+// It reaches all even words: i·z and z·i are i and ī or ī and i, and i·j = (i·z)(z·j) for i, j ∈ D.
 //
-// Back from W: i' = i·z, so a letter i after p other letters reads i in Γ if p is even and θ(i) if p is odd; z reads
-// nothing. The normal form of Γ is read so from that of W. It is shortest: a word of Γ has as many letters as its image
+// Back from W: a' = a·z, so a letter a after p other letters reads a in Γ if p is even and θ(a) if p is odd; b' = θ(b)·z, so for
+// b it is the other way round; z reads nothing. The normal form of Γ is read so from that of W. It is shortest: a word of Γ has as many letters as its image
 // has letters other than z, and reducing only deletes letters. z is W's least letter: it steps aside as early as it
 // can, so that the dimensions come in lexicographic order.
 #include "compiler/algebra/group.h"
@@ -47,37 +51,70 @@ RightAngledCoxeterGroup coxeter_group(Model const& model) {
   return w;
 }
 
-void multiply_by_word(Element& g, Word const& word, Model const& model, RightAngledCoxeterGroup const& w) {
+/// The class B, as bits; none if the graph of the exchangeable pairs of oriented dimensions is not bipartite.
+std::optional<std::uint16_t> second_class(Model const& model) {
+  std::uint16_t first = 0, second = 0;
+  for (int const root : model.dimensions) {
+    if (!model.is_oriented(root) || (((first | second) >> root) & 1U) != 0) continue;
+    first = static_cast<std::uint16_t>(first | (1U << root));
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (auto const& [i, j] : model.exchange) {
+        if (!model.is_oriented(i) || !model.is_oriented(j)) continue;
+        for (auto const& [from, to] : {std::pair{i, j}, std::pair{j, i}}) {
+          for (auto const& [mine, other] : {std::pair{&first, &second}, std::pair{&second, &first}}) {
+            if (((*mine >> from) & 1U) == 0) continue;
+            if (((*mine >> to) & 1U) != 0) return {};
+            changed = changed || ((*other >> to) & 1U) == 0;
+            *other = static_cast<std::uint16_t>(*other | (1U << to));
+          }
+        }
+      }
+    }
+  }
+  return second;
+}
+
+/// W, and how Γ lies in it.
+struct Embedding {
+  Model const& model;
+  RightAngledCoxeterGroup const& w;
+  std::uint16_t second;  // the class B
+  bool in_second(int d) const { return ((second >> d) & 1U) != 0; }
+};
+
+void multiply_by_word(Element& g, Word const& word, Embedding const& e) {
   for (Letter const letter : word) {
-    assert(model.has(letter.dimension));
-    bool const backwards = letter.conjugate && model.is_oriented(letter.dimension);
+    assert(e.model.has(letter.dimension));
+    bool const backwards = (letter.conjugate && e.model.is_oriented(letter.dimension)) != e.in_second(letter.dimension);
     Generator const i = generator_of(letter.dimension);
-    w.multiply(g, backwards ? z : i);
-    w.multiply(g, backwards ? i : z);
+    e.w.multiply(g, backwards ? z : i);
+    e.w.multiply(g, backwards ? i : z);
   }
 }
 
-Element to_coxeter(Word const& word, Model const& model, RightAngledCoxeterGroup const& w) {
+Element to_coxeter(Word const& word, Embedding const& e) {
   Element g;
-  multiply_by_word(g, word, model, w);
+  multiply_by_word(g, word, e);
   return g;
 }
 
 /// z·g·z for the element g of a word.
-Element to_coxeter_twisted(Word const& word, Model const& model, RightAngledCoxeterGroup const& w) {
+Element to_coxeter_twisted(Word const& word, Embedding const& e) {
   Element g{z};
-  multiply_by_word(g, word, model, w);
-  w.multiply(g, z);
+  multiply_by_word(g, word, e);
+  e.w.multiply(g, z);
   return g;
 }
 
-Word from_coxeter(Element const& g, Model const& model) {
+Word from_coxeter(Element const& g, Embedding const& e) {
+  Model const& model = e.model;
   Word word;
   bool odd = false;
   for (Generator const s : g) {
     if (s != z) {
       std::uint8_t const d = dimension_of(s);
-      word.push_back({d, odd && model.is_oriented(d)});
+      word.push_back({d, model.is_oriented(d) && odd != e.in_second(d)});
     }
     odd = !odd;
   }
@@ -140,19 +177,25 @@ Word concatenate(Word const& a, Word const& b) {
 }
 
 std::optional<std::string> Group::undecided(Model const& model) {
+  if (second_class(model)) return std::nullopt;
+  std::string pairs;
   for (auto const& [i, j] : model.exchange) {
-    if (model.is_oriented(i) && model.is_oriented(j)) {
-      return "the exchangeable dimensions " + std::to_string(i) + " and " + std::to_string(j) + " are both oriented";
-    }
+    if (!model.is_oriented(i) || !model.is_oriented(j)) continue;
+    pairs += (pairs.empty() ? "(" : ", (") + std::to_string(i) + "," + std::to_string(j) + ")";
   }
-  return std::nullopt;
+  return "an odd number of the exchangeable pairs " + pairs + " of oriented dimensions form a circle";
 }
 
 Group::Group(Model model) : model_(std::move(model)), coxeter_(coxeter_group(model_)) {
-  if (auto const reason = undecided(model_)) throw std::invalid_argument(*reason);
+  auto const second = second_class(model_);
+  if (!second) throw std::invalid_argument(*undecided(model_));
+  second_class_ = *second;
 }
 
-Word Group::normal_form(Word const& word) const { return from_coxeter(to_coxeter(word, model_, coxeter_), model_); }
+Word Group::normal_form(Word const& word) const {
+  Embedding const e{model_, coxeter_, second_class_};
+  return from_coxeter(to_coxeter(word, e), e);
+}
 
 Word Group::product(Word const& a, Word const& b) const { return normal_form(concatenate(a, b)); }
 
@@ -162,7 +205,7 @@ Word Group::inverse(Word const& a) const { return normal_form(conjugate(model_, 
 // iff it is in W. There a letter is i·z or z·i, of least length among its conjugates; and all conjugates of least length
 // of an element consist of the same generators.
 bool Group::is_conjugate_to_letter(Word const& word) const {
-  auto const least = coxeter_.cyclically_reduced(to_coxeter(word, model_, coxeter_));
+  auto const least = coxeter_.cyclically_reduced(to_coxeter(word, {model_, coxeter_, second_class_}));
   return least.size() == 2 && (least[0] == z || least[1] == z);
 }
 
@@ -173,9 +216,10 @@ bool Group::is_conjugate_to_letter(Word const& word) const {
 bool Group::in_orbit(Word const& word, OrbitType const& orbit) const {
   for (auto const read : {to_coxeter, to_coxeter_twisted}) {
     std::vector<Element> elements;
-    for (Word const& w : orbit.words) elements.push_back(read(w, model_, coxeter_));
+    Embedding const e{model_, coxeter_, second_class_};
+    for (Word const& w : orbit.words) elements.push_back(read(w, e));
     if (auto const allowed = connected_pairs(elements)) {
-      return (RightAngledCoxeterGroup::support(read(word, model_, coxeter_)) & ~*allowed) == 0;
+      return (RightAngledCoxeterGroup::support(read(word, e)) & ~*allowed) == 0;
     }
   }
   Word const target = normal_form(word);

@@ -19,8 +19,8 @@ Word concatenate(Word const& a, Word const& b);
 /// lead to the same dart in every map iff they are equal in Γ.
 class Group {
  public:
-  /// Why the word problem of a model is not decided here; none if it is: some exchangeable pair joins two oriented
-  /// dimensions.
+  /// Why the word problem of a model is not decided here; none if it is. It is unless an odd number of exchangeable pairs of
+  /// oriented dimensions form a circle; generalized and oriented maps have no such pair at all.
   static std::optional<std::string> undecided(Model const& model);
 
   /// `model` must be decided (see above); throws std::invalid_argument otherwise.
@@ -47,6 +47,7 @@ class Group {
  private:
   Model model_;
   RightAngledCoxeterGroup coxeter_;  ///< W ⊃ Γ, in which everything is decided
+  std::uint16_t second_class_ = 0;   ///< the oriented dimensions that lie in W the other way round, as bits
 };
 
 }  // namespace jrule::algebra

@@ -166,8 +166,7 @@ std::optional<Model> elaborate_model(ast::Model const& declared, std::optional<i
   if (auto const why = algebra::Group::undecided(model)) {
     diagnostics.add({.code = Code::undecided_model, .span = declared.name.span,
                      .message = fmt::format("rules on the model `{}` cannot be analysed: {}", model.name, *why),
-                     .notes = {"paths are compared in the group of the model; it is decided when no exchangeable pair joins "
-                               "two oriented dimensions"}});
+                     .notes = {"paths are compared in the group of the model, which is decided for all other models"}});
     return {};
   }
   return model;

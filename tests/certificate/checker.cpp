@@ -29,9 +29,7 @@ void demand(bool holds, std::string const& what) {
 
 class Words {
  public:
-  explicit Words(Model const& model) : model_(model) {
-    for (auto const& [i, j] : model.exchange) demand(!(oriented(i) && oriented(j)), "two oriented dimensions are exchangeable");
-  }
+  explicit Words(Model const& model) : model_(model) {}
 
   bool oriented(int d) const { return ((model_.oriented >> d) & 1U) != 0; }
   bool exchange(int i, int j) const {
@@ -57,6 +55,8 @@ class Words {
       demand(left < right && right < word.size(), what + ": a step outside of the word");
       for (std::size_t k = right; k > left + 1; --k) {  // x·y = ȳ·x̄
         demand(exchange(word[k - 1].dimension, word[k].dimension), what + ": letters that are not exchangeable change places");
+        bool const both = oriented(word[k - 1].dimension) && oriented(word[k].dimension);
+        demand(!both || word[k - 1].conjugate == word[k].conjugate, what + ": of (ij)² = ε letters change places of which one is conjugate");
         Letter const passed = reverse(word[k - 1]);
         word[k - 1] = reverse(word[k]);
         word[k] = passed;

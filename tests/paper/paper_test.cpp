@@ -107,7 +107,7 @@ std::vector<Verdict> const verdicts{
     {"2022/fig21-rule-scheme.jrule", "sprout_without_3", "J0302"},
     {"2022/fig26b-words-along-paths.jrule", "exchange_middles", "J0323 J0324"},
     {"2022/fig26d-words-along-paths.jrule", "exchange_middles", "accepted"},
-    {"2022/fig28-cycle-in-scheme.jrule", "change_middle", "J0222"},
+    {"2022/fig28-cycle-in-scheme.jrule", "change_middle", "accepted"},
     {"2022/fig29-quad-subdivision-gmap.jrule", "quad_subdivision", "accepted"},
     {"2022/fig30-quad-subdivision-omap.jrule", "quad_subdivision", "accepted"},
     {"2022/fig32a-cone-gmap.jrule", "cone", "accepted"},
@@ -204,6 +204,10 @@ Start const three_pairs_of_cycles = from_cycles(
          {1, {{0, 1}, {8, 9}, {16, 17}, {3, 10}, {11, 18}, {19, 2}, {4, 13}, {12, 21}, {20, 5}, {7, 14}, {15, 22}, {23, 6}}},
          {2, {{1, 10}, {9, 18}, {17, 2}, {3, 0}, {11, 8}, {19, 16}, {13, 14}, {21, 22}, {5, 6}, {7, 4}, {15, 12}, {23, 20}}}});
 
+/// Fig. 28: a pattern of two darts that the word 21 exchanges, here at b (0, 5); with c, a and d beside them (1 to 3, 6 to 8), and
+/// the darts between d and b along 1, between b and c along 2 (4, 9).
+Start const oriented_squares = from_cycles(10, {{1, {{0, 6, 7, 3, 4, 5, 1, 2, 8, 9}}}, {2, {{0, 4, 6, 2, 8}, {5, 9, 1, 7, 3}}}});
+
 using Cells = std::vector<std::size_t>;
 
 struct Operation {
@@ -231,6 +235,7 @@ std::vector<Operation> const operations{
     {"2022/fig21-rule-scheme.jrule", "sprout", "ring", from_cycles(4, {{2, {{0, 1, 2, 3}}}}), {0}, {2, 4, 2}, 8},
     {"2022/fig26d-words-along-paths.jrule", "exchange_middles", "three_pairs_of_cycles",
      three_pairs_of_cycles, {0, 4}, {6, 8, 8}, 24},
+    {"2022/fig28-cycle-in-scheme.jrule", "change_middle", "oriented_squares", oriented_squares, {0}, {0, 1, 2}, 10},
     {"2022/fig29-quad-subdivision-gmap.jrule", "quad_subdivision", "square", from_polygon(4), {0}, {9, 12, 4}, 32},
     {"2022/fig29-quad-subdivision-gmap.jrule", "quad_subdivision", "cube",
      from_mesh("cube.obj"), {0}, {26, 48, 24}, 192},

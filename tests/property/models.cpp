@@ -32,6 +32,8 @@ std::vector<Model> const& models() {
       custom("path", {0, 1, 2}, 0, {{0, 1}, {1, 2}}),
       // Two oriented dimensions, each exchangeable with a non-oriented one.
       custom("two_oriented", {1, 2, 3, 5}, bits(1, 5), {{1, 3}, {2, 5}, {3, 5}}),
+      // Two oriented dimensions that are exchangeable (paper, Fig. 28), one of them with a third.
+      custom("oriented_exchange", {0, 1, 2}, bits(0, 1), {{0, 1}, {1, 2}}),
       // Oriented and closed, with a gap between its dimensions.
       custom("closed_oriented", {1, 4, 7}, static_cast<std::uint16_t>(1U << 4), {{1, 7}, {4, 7}}, true)};
   return all;

@@ -58,8 +58,11 @@ TEST(RefusedRule, HasACounterexample) {
   struct Count { int refuted = 0, unproved = 0, unmatched = 0; };
   std::map<std::string, Count> kinds;
   Count all;
+  int drawn = 0;
   bool const holds = rc::check("the counterexamples of refused rules are right", [&] {
-    ir::RuleScheme const rule = make_rule(*cases(), bare);
+    Case const c = *cases();
+    if (++drawn > case_count() / 4) return;  // a search takes as long as many applications
+    ir::RuleScheme const rule = make_rule(c, bare);
     analysis::Verdict const verdict = analysis::analyze(rule);
     Codes const codes = codes_of(verdict);
     if (verdict.accepted() || dead_left(rule, codes)) return;
@@ -78,7 +81,7 @@ TEST(RefusedRule, HasACounterexample) {
   };
   record("all", all);
   for (auto const& [kind, count] : kinds) record(kind, count);
-  EXPECT_GE(all.refuted, case_count() / 8);
+  EXPECT_GE(all.refuted, case_count() / 32);
   EXPECT_LE(all.unproved, all.refuted / 100);
   EXPECT_LE(all.unmatched, all.refuted * 3 / 100);
 }

@@ -22,7 +22,13 @@ Model mixed() {
   return model;
 }
 
-std::vector<Model> tested_models() { return {gmap(1), gmap(2), gmap(3), gmap(4), omap(2), omap(3), omap(4), dual_omap(2), dual_omap(3), mixed()}; }
+Model oriented_path() {
+  Model model{"oriented_path", 3, {0, 1, 2, 3}, 0, {{0, 2}, {0, 3}, {1, 2}, {2, 3}}, false};
+  model.oriented = 0b1110;
+  return model;
+}
+
+std::vector<Model> tested_models() { return {oriented_path(), gmap(1), gmap(2), gmap(3), gmap(4), omap(2), omap(3), omap(4), dual_omap(2), dual_omap(3), mixed()}; }
 
 /// What the steps leave of the word, by single uses of x·y = ȳ·x̄ and x·x̄ = ε; none if one of them is no such use.
 std::optional<Word> replay(Model const& model, Word word, Cancellations const& steps) {

@@ -61,6 +61,9 @@ std::vector<Model> tested_models() {
           user_model("two_oriented", {0, 1, 2}, {1, 2}, {{0, 1}, {0, 2}}),
           user_model("one_of_two_oriented", {0, 1, 2, 3}, {1, 2}, {{0, 1}, {0, 3}, {2, 3}}),
           user_model("free", {1, 2}, {1, 2}, {}),
+          user_model("oriented_squares", {1, 2}, {1, 2}, {{1, 2}}),
+          user_model("oriented_path", {0, 1, 2, 3}, {1, 2, 3}, {{0, 2}, {0, 3}, {1, 2}, {2, 3}}),
+          user_model("oriented_circle", {0, 1, 2, 3}, {0, 1, 2, 3}, {{0, 1}, {0, 3}, {1, 2}, {2, 3}}),
           user_model("gaps", {0, 3, 9}, {3}, {{0, 9}, {3, 9}})};
 }
 
@@ -397,10 +400,10 @@ TEST(Group, Examples) {
   EXPECT_FALSE(volume.in_orbit(word_of({1, 2}), cell_orbit(omap(3), 0).value()));
 }
 
-TEST(Group, RefusesExchangeableOrientedDimensions) {
-  Model const torus = user_model("torus", {0, 1, 2}, {0, 1}, {{0, 1}, {0, 2}});
-  EXPECT_EQ(Group::undecided(torus), "the exchangeable dimensions 0 and 1 are both oriented");
-  EXPECT_THROW(Group{torus}, std::invalid_argument);
+TEST(Group, RefusesOddCirclesOfExchangeableOrientedDimensions) {
+  Model const triangle = user_model("triangle", {0, 1, 2, 3}, {0, 1, 2}, {{0, 1}, {0, 2}, {0, 3}, {1, 2}});
+  EXPECT_EQ(Group::undecided(triangle), "an odd number of the exchangeable pairs (0,1), (0,2), (1,2) of oriented dimensions form a circle");
+  EXPECT_THROW(Group{triangle}, std::invalid_argument);
   for (Model const& model : tested_models()) EXPECT_EQ(Group::undecided(model), std::nullopt);
 }
 
