@@ -252,7 +252,7 @@ struct OrbitAnalysis {
     auto const found = anchors_of(component);
     if (found.empty()) {
       component.kind = OrbitComponent::Kind::fresh;
-      if (!component.clause && !spec().default_value) return refuse_missing(component);
+      if (!component.clause && !rule.modeler->has_default(embedding)) return refuse_missing(component);
       result.orbits.push_back(std::move(component));
       return;
     }

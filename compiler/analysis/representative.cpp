@@ -256,6 +256,11 @@ struct Comparison {
   }
   bool same_value(ir::ForEach const& a, ir::ForEach const& b, Order order) const { return same_comprehension(a, b, order); }
   bool same_value(ir::Apply const& a, ir::Apply const& b, Order) const { return same_applications(a, b); }
+  // A function of a list is trusted not to mind its order.
+  bool same_value(ir::Call const& a, ir::Call const& b, Order) const {
+    return a.function == b.function && std::equal(a.arguments.begin(), a.arguments.end(), b.arguments.begin(), b.arguments.end(),
+                                                  [&](ExprPtr const& x, ExprPtr const& y) { return same(*x, *y, Order::none); });
+  }
   bool same_value(ir::Conditional const& a, ir::Conditional const& b, Order order) const {
     return same(*a.condition, *b.condition, Order::none) && same(*a.then_value, *b.then_value, order) && same(*a.else_value, *b.else_value, order);
   }
@@ -267,6 +272,10 @@ struct Comparison {
     if (auto const* apply = std::get_if<ir::Apply>(&e.value)) {
       parts = apply->arguments;
       order = order_of(*apply);
+    }
+    if (auto const* call = std::get_if<ir::Call>(&e.value)) {
+      parts = call->arguments;
+      order = Order::none;
     }
     if (auto const* choice = std::get_if<ir::Conditional>(&e.value)) parts = {choice->condition, choice->then_value, choice->else_value};
     for (ExprPtr const& part : parts) {

@@ -10,6 +10,7 @@
 #include "compiler/driver/report.h"
 #include "compiler/driver/selection.h"
 #include "compiler/driver/summary.h"
+#include "compiler/ir/extern_use.h"
 #include "jrule/io.h"
 
 namespace jrule::driver {
@@ -108,6 +109,18 @@ std::optional<Chosen> choose(Compilation& compilation, RuleReference const& refe
   return Chosen{std::move(*rule), std::move(verdict.plan)};
 }
 
+// Rules with C++ from outside are checked like all others, but only their generated code can run.
+bool can_run(ir::RuleScheme const& rule, source::Diagnostics& diagnostics) {
+  auto const use = ir::find_extern_use(rule);
+  if (!use) return true;
+  diagnostics.add({.code = source::Code::needs_cpp,
+                   .span = use->span,
+                   .message = fmt::format("`{}` cannot be applied here: {}", rule.name, use->what),
+                   .labels = {{use->declaration, "it is C++ from outside"}},
+                   .notes = {"generated C++ can: `jrule emit cpp`, or `jrule_add_rules` in CMake"}});
+  return false;
+}
+
 }  // namespace
 
 int apply(ApplyOptions const& options) {
@@ -119,6 +132,7 @@ int apply(ApplyOptions const& options) {
   auto const compilation = compile(reference->file, options.common);
   std::optional<Chosen> chosen;
   if (!compilation->diagnostics.has_errors()) chosen = choose(*compilation, *reference, options);
+  if (chosen) (void)can_run(chosen->rule, compilation->diagnostics);
   // Notes on other rules of the file are for `check`.
   if (compilation->diagnostics.has_errors()) {
     print(compilation->sources, compilation->diagnostics, options.common);

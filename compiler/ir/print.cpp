@@ -50,9 +50,30 @@ std::string map_name(Model const& model) {
 }
 
 std::string to_string(ExprType const& type) {
-  std::string const element = type.dart ? "Dart" : jrule::to_string(type.element);
+  std::string const element = type.dart       ? "Dart"
+                              : type.external ? type.external->name
+                                              : jrule::to_string(type.element);
   return type.list ? "[" + element + "]" : element;
 }
+
+std::string signature(ExternFunction const& function) {
+  std::string parameters;
+  for (auto const& p : function.parameters) parameters += (parameters.empty() ? "" : ", ") + to_string(p.type);
+  return fmt::format("({}) -> {}", parameters, to_string(function.result));
+}
+
+namespace {
+// "(name argument …)", each argument printed by `print`.
+template <class Print>
+std::string print_call(std::string_view name, std::vector<ExprPtr> const& arguments, Print print) {
+  std::string text = fmt::format("({}", name);
+  for (ExprPtr const& argument : arguments) text += ' ' + print(*argument);
+  return text + ')';
+}
+
+// A default that calls extern functions: it has no names but theirs.
+std::string print_computed(Expr const& expr) { return print(expr, RuleScheme{}); }
+}  // namespace
 
 std::string print(Expr const& expr, RuleScheme const& rule) {
   struct Visitor {
@@ -76,9 +97,10 @@ std::string print(Expr const& expr, RuleScheme const& rule) {
       return fmt::format("({} for {} in {})", print(*f.element, rule), f.variable.name, (*this)(f.over));
     }
     std::string operator()(Apply const& a) const {
-      std::string text = fmt::format("({}", spelling(a.function));
-      for (ExprPtr const& argument : a.arguments) text += ' ' + print(*argument, rule);
-      return text + ')';
+      return print_call(spelling(a.function), a.arguments, [&](Expr const& e) { return print(e, rule); });
+    }
+    std::string operator()(Call const& c) const {
+      return print_call(c.function->name, c.arguments, [&](Expr const& e) { return print(e, rule); });
     }
     std::string operator()(Conditional const& c) const {
       return fmt::format("(if {} {} {})", print(*c.condition, rule), print(*c.then_value, rule),
@@ -97,10 +119,17 @@ std::string print(Modeler const& modeler) {
   if (model.closed) text += "\n  closed";
   text += '\n';
   static constexpr std::string_view policies[] = {"none", "first", "mean", "min", "max"};
-  for (EmbeddingSpec const& e : modeler.embeddings) {
-    text += fmt::format("  embedding {} : {} -> {}", e.name, jrule::to_string(e.orbit), jrule::to_string(e.type));
+  for (std::size_t i = 0; i < modeler.embeddings.size(); ++i) {
+    EmbeddingSpec const& e = modeler.embeddings[i];
+    EmbeddingExterns const externs = modeler.externs_of(i);
+    text += fmt::format("  embedding {} : {} -> {}", e.name, jrule::to_string(e.orbit), to_string(modeler.value_type(i)));
     if (e.default_value) text += fmt::format(" default {}", jrule::to_string(*e.default_value));
-    if (e.merge != MergePolicy::none) text += fmt::format(" merge {}", policies[static_cast<std::size_t>(e.merge)]);
+    if (externs.default_value) text += fmt::format(" default {}", print_computed(*externs.default_value));
+    if (externs.merge) {
+      text += fmt::format(" merge {}", externs.merge->name);
+    } else if (e.merge != MergePolicy::none) {
+      text += fmt::format(" merge {}", policies[static_cast<std::size_t>(e.merge)]);
+    }
     text += '\n';
   }
   return text;
@@ -109,8 +138,9 @@ std::string print(Modeler const& modeler) {
 std::string print(RuleScheme const& rule) {
   std::string text = fmt::format("rule {} on {}\n", rule.name, rule.modeler->name);
   for (Parameter const& p : rule.parameters) {
-    text += fmt::format("  parameter {}: {}", p.name, jrule::to_string(p.type));
+    text += fmt::format("  parameter {}: {}", p.name, to_string(p.value_type()));
     if (p.default_value) text += fmt::format(" = {}", jrule::to_string(*p.default_value));
+    if (p.computed_default) text += fmt::format(" = {}", print_computed(*p.computed_default));
     text += '\n';
   }
   if (!rule.hooks.empty()) {

@@ -22,7 +22,56 @@ namespace jrule::ir {
 using source::Span;
 using NodeId = std::uint32_t;
 
+// ---- C++ from outside ----
+
+/// `extern type Soil in "geo/soil.hpp" as "geo::Soil";`
+struct ExternType {
+  std::string name, doc;
+  std::string header, cpp_name;  ///< "geo/soil.hpp", "geo::Soil"
+  Span span;                     ///< of its name
+};
+using ExternTypePtr = std::shared_ptr<ExternType const>;
+
+/// A type of the language: one of the values or a dart, or a list of them.
+struct ExprType {
+  Type element = Type::Real;
+  bool list = false;
+  bool dart = false;
+  ExternTypePtr external{};  ///< of Type::Extern: which one; else null
+  bool operator==(ExprType const&) const = default;
+};
+inline ExprType const dart_type{Type::Real, false, true};  ///< `element` means nothing in it
+inline ExprType const darts_type{Type::Real, true, true};
+std::string to_string(ExprType const& type);
+
+/// `extern fn hardness(x: Soil) -> Real in "geo/soil.hpp" as "geo::hardness";`
+struct ExternFunction {
+  std::string name, doc;
+  struct Parameter {
+    std::string name;
+    ExprType type;
+    Span span;
+  };
+  std::vector<Parameter> parameters;
+  ExprType result;
+  std::string header, cpp_name;
+  Span span;  ///< of its name
+};
+using ExternFunctionPtr = std::shared_ptr<ExternFunction const>;
+/// "(Soil, Real) -> Real".
+std::string signature(ExternFunction const& function);
+
+struct Expr;
+using ExprPtr = std::shared_ptr<Expr const>;
+
 // ---- Modelers ----
+
+/// What of an embedding is C++ from outside; null what is not.
+struct EmbeddingExterns {
+  ExternTypePtr type;
+  ExprPtr default_value;    ///< a default that calls extern functions; it reads nothing
+  ExternFunctionPtr merge;  ///< of MergePolicy::function: (T, T) -> T or ([T]) -> T
+};
 
 struct Modeler {
   std::string name;
@@ -32,20 +81,14 @@ struct Modeler {
   std::vector<std::string> embedding_docs;
   std::vector<Span> embedding_spans;  ///< the names, where declared
   std::string module;                 ///< of the declaration; empty for a bare model
+  std::vector<EmbeddingExterns> externs{};  ///< by embedding; none if that has nothing from outside
+
+  EmbeddingExterns externs_of(std::size_t e) const { return e < externs.size() ? externs[e] : EmbeddingExterns{}; }
+  ExprType value_type(std::size_t e) const { return {embeddings[e].type, false, false, externs_of(e).type}; }
+  bool has_default(std::size_t e) const { return embeddings[e].default_value || externs_of(e).default_value; }
 };
 
 // ---- Expressions ----
-
-/// A type of the language: one of the values or a dart, or a list of them.
-struct ExprType {
-  Type element = Type::Real;
-  bool list = false;
-  bool dart = false;
-  bool operator==(ExprType const&) const = default;
-};
-inline constexpr ExprType dart_type{Type::Real, false, true};  ///< `element` means nothing in it
-inline constexpr ExprType darts_type{Type::Real, true, true};
-std::string to_string(ExprType const& type);
 
 enum class Builtin : std::uint8_t {
   add, subtract, multiply, divide, negate,
@@ -59,9 +102,6 @@ enum class Builtin : std::uint8_t {
 };
 /// The language's spelling: "+", "midpoint".
 std::string_view spelling(Builtin builtin);
-
-struct Expr;
-using ExprPtr = std::shared_ptr<Expr const>;
 
 struct Constant { Value value; };
 struct ParameterRef { std::size_t index; };
@@ -81,11 +121,14 @@ struct Collect { std::size_t embedding; Darts over; };
 /// The list of the values of `element`, evaluated at each of the darts as `variable`.
 struct ForEach { Bound variable; Darts over; ExprPtr element; };
 struct Apply { Builtin function; std::vector<ExprPtr> arguments; };
+/// An extern function called: only generated code can.
+struct Call { ExternFunctionPtr function; std::vector<ExprPtr> arguments; };
 struct Conditional { ExprPtr condition, then_value, else_value; };
 
 struct Expr {
   ExprType type;
-  std::variant<Constant, ParameterRef, LetRef, NodeDart, Bound, Walk, Darts, ValueAt, Collect, ForEach, Apply, Conditional> value;
+  std::variant<Constant, ParameterRef, LetRef, NodeDart, Bound, Walk, Darts, ValueAt, Collect, ForEach, Apply, Call, Conditional>
+      value;
   Span span;
 };
 
@@ -95,6 +138,13 @@ struct Parameter {
   std::string name;
   Type type = Type::Real;
   std::optional<Value> default_value;
+  std::string doc{};
+  ExternTypePtr external{};    ///< of Type::Extern
+  ExprPtr computed_default{};  ///< a default that calls extern functions; it reads nothing
+  Span span{};
+
+  ExprType value_type() const { return {type, false, false, external}; }
+  bool has_default() const { return default_value || computed_default; }
 };
 
 struct Node {

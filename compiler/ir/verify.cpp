@@ -102,6 +102,14 @@ struct ExprVisitor {
     }
     return {};
   }
+  Fault operator()(Call const& c) const {
+    if (!c.function || c.arguments.size() != c.function->parameters.size()) return "a call has not the arguments of its function";
+    for (std::size_t i = 0; i < c.arguments.size(); ++i) {
+      if (Fault fault = part(c.arguments[i])) return fault;
+      if (c.arguments[i]->type != c.function->parameters[i].type) return "a call's argument is not of its parameter's type";
+    }
+    return {};
+  }
   Fault operator()(Conditional const& c) const {
     for (ExprPtr const& branch : {c.condition, c.then_value, c.else_value}) {
       if (Fault fault = part(branch)) return fault;
@@ -140,8 +148,7 @@ std::optional<std::string> verify(RuleScheme const& rule) {
   for (Clause const& clause : rule.clauses) {
     if (clause.node >= rule.nodes.size() || rule.nodes[clause.node].deleted()) return "a clause is on a deleted node";
     if (clause.embedding >= rule.modeler->embeddings.size()) return "a clause's embedding is out of range";
-    ExprType const expected{rule.modeler->embeddings[clause.embedding].type, false, false};
-    if (clause.value->type != expected) return "a clause's type differs from its embedding's";
+    if (clause.value->type != rule.modeler->value_type(clause.embedding)) return "a clause's type differs from its embedding's";
     if (Fault fault = verify_expr(rule, clause.value)) return fault;
   }
   for (Let const& let : rule.lets) {

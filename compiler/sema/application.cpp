@@ -84,7 +84,12 @@ void report_types(Builtin function, Span name, std::vector<ExprPtr> const& argum
                        .message = fmt::format("`{}` is not defined for {}", spelling(function), types),
                        .labels = type_labels(arguments),
                        .notes = advice(function, arguments)};
-  if (is_function(function)) d.notes.push_back(definitions(function));
+  bool const has_extern = std::any_of(arguments.begin(), arguments.end(), [](auto const& a) { return a->type.external != nullptr; });
+  if (has_extern) {
+    d.notes.push_back("of values of an extern type only `first` and `count` are known; the rest is for an `extern fn`");
+  } else if (is_function(function)) {
+    d.notes.push_back(definitions(function));
+  }
   diagnostics.add(std::move(d));
 }
 
@@ -102,7 +107,9 @@ void warn_of_zero(Span op, ir::Expr const& divisor, Diagnostics& diagnostics) {
 
 std::string described(ExprType const& type) {
   if (type.list) return fmt::format("a list `{}`", to_string(type));
-  return fmt::format("{} `{}`", type == ExprType{Type::Int} ? "an" : "a", to_string(type));
+  std::string const name = to_string(type);
+  bool const vowel = std::string_view("AEIO").find(name.front()) != std::string_view::npos;
+  return fmt::format("{} `{}`", vowel ? "an" : "a", name);
 }
 
 std::vector<Label> type_labels(std::vector<ExprPtr> const& operands) {
@@ -117,6 +124,10 @@ ExprPtr report_list(std::string const& user, ir::Expr const& argument, Diagnosti
                    .message = fmt::format("`{}` needs one value, this is {}", user, described(argument.type)),
                    .notes = {aggregate_it}});
   return {};
+}
+
+bool is_taken_as(ExprType const& argument, ExprType const& expected) {
+  return argument == expected || (argument == ExprType{Type::Int} && expected == ExprType{Type::Real});
 }
 
 ExprPtr convert(ExprPtr value, ExprType expected, Diagnostics& diagnostics) {
@@ -149,6 +160,13 @@ bool check_argument_count(Builtin function, Span name, std::size_t count, Diagno
 }
 
 ExprPtr apply(Builtin function, Span name, std::vector<ExprPtr> arguments, Span span, Diagnostics& diagnostics) {
+  // What the table cannot have a row for: these two take a list of any extern type.
+  bool const any_list = function == Builtin::first || function == Builtin::count;
+  if (ExprType type = arguments.front()->type; any_list && type.list && type.external) {
+    type.list = false;
+    if (function == Builtin::count) type = ExprType{Type::Int};
+    return std::make_shared<ir::Expr const>(ir::Expr{std::move(type), ir::Apply{function, std::move(arguments)}, span});
+  }
   std::vector<ExprType> types;
   for (ExprPtr const& argument : arguments) types.push_back(argument->type);
   Signature const* const signature = find_signature(function, types);

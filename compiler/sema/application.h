@@ -17,6 +17,9 @@ ir::ExprPtr apply(ir::Builtin function, source::Span name, std::vector<ir::ExprP
 /// The value, not null, as that type: an Int becomes a Real, anything else is J0240.
 ir::ExprPtr convert(ir::ExprPtr value, ir::ExprType expected, source::Diagnostics& diagnostics);
 
+/// Is an argument of that type taken where the other is expected: the same, or an Int for a Real?
+bool is_taken_as(ir::ExprType const& argument, ir::ExprType const& expected);
+
 /// Has some signature so many parameters? Reported (J0242) if not.
 bool check_argument_count(ir::Builtin function, source::Span name, std::size_t count, source::Diagnostics& diagnostics);
 

@@ -19,11 +19,12 @@ namespace {
 // Modelers by name, each elaborated and reported once.
 struct ModelerTable {
   Items const& items;
+  Externs const& externs;
   std::map<std::string, std::shared_ptr<ir::Modeler const>> known;
 
   std::shared_ptr<ir::Modeler const> declared(ast::Modeler const& modeler, Diagnostics& diagnostics) {
     auto const [entry, fresh] = known.try_emplace(modeler.name.text);
-    if (fresh) entry->second = elaborate_modeler(modeler, items, diagnostics);
+    if (fresh) entry->second = elaborate_modeler(modeler, items, externs, diagnostics);
     return entry->second;
   }
 
@@ -87,12 +88,6 @@ void report_unimplemented(ast::Item const& item, Diagnostics& diagnostics) {
   if (auto const* operation = std::get_if<ast::Operation>(&item)) {
     diagnostics.add({.code = Code::operation_not_implemented, .span = operation->name.span,
                      .message = fmt::format("the operation `{}` is parsed, but operations are not yet implemented", operation->name.text)});
-  } else if (auto const* type = std::get_if<ast::ExternType>(&item)) {
-    diagnostics.add({.code = Code::extern_not_implemented, .span = type->name.span,
-                     .message = fmt::format("the extern type `{}` is parsed, but extern types are not yet implemented", type->name.text)});
-  } else if (auto const* function = std::get_if<ast::ExternFunction>(&item)) {
-    diagnostics.add({.code = Code::extern_not_implemented, .span = function->name.span,
-                     .message = fmt::format("the extern function `{}` is parsed, but extern functions are not yet implemented", function->name.text)});
   }
 }
 
@@ -104,7 +99,8 @@ ir::Program elaborate(Modules const& modules, Diagnostics& diagnostics) {
   Module const& root = modules.all.back();
   program.module = root.name;
   Items const items(modules);
-  ModelerTable modelers{items, {}};
+  Externs const externs = collect_externs(modules, diagnostics);
+  ModelerTable modelers{items, externs, {}};
   report_duplicates(root, diagnostics);
   for (ast::Item const& item : root.ast.items) {
     if (auto const* model = std::get_if<ast::Model>(&item)) {
@@ -126,7 +122,7 @@ ir::Program elaborate(Modules const& modules, Diagnostics& diagnostics) {
     }
     auto modeler = modelers.resolve(rule->on, {}, diagnostics);
     if (!modeler) continue;
-    if (auto scheme = elaborate_rule(*rule, rule->name.text, root.name, std::move(modeler), {}, diagnostics)) {
+    if (auto scheme = elaborate_rule(*rule, rule->name.text, root.name, std::move(modeler), {}, externs, diagnostics)) {
       program.rules.push_back(std::move(*scheme));
     }
   }
@@ -154,11 +150,12 @@ std::optional<ir::RuleScheme> instantiate(Modules const& modules, std::string co
   DimensionValues values;
   for (std::size_t i = 0; i < dimensions.size(); ++i) values[rule->dimension_parameters[i].text] = dimensions[i];
   if (auto const open = open_dimension(*rule); open && n) values[*open] = *n;
-  ModelerTable modelers{items, {}};
+  Externs const externs = collect_externs(modules, diagnostics);
+  ModelerTable modelers{items, externs, {}};
   auto modeler = modelers.resolve(rule->on, values, diagnostics);
   if (!modeler) return {};
   std::string const full = dimensions.empty() ? name : fmt::format("{}[{}]", name, fmt::join(dimensions, ","));
-  return elaborate_rule(*rule, full, items.module_of(rule), std::move(modeler), values, diagnostics);
+  return elaborate_rule(*rule, full, items.module_of(rule), std::move(modeler), values, externs, diagnostics);
 }
 
 }  // namespace jrule::sema

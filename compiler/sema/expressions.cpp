@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
-#include <stdexcept>
 
 #include "compiler/ir/evaluate.h"
 #include "compiler/sema/application.h"
+#include "compiler/sema/externs.h"
 #include "compiler/sema/names.h"
 #include "compiler/sema/overloads.h"
 
@@ -25,7 +25,7 @@ using source::Span;
 
 namespace {
 
-constexpr ExprType boolean{Type::Bool}, real{Type::Real}, integer{Type::Int};
+ExprType const boolean{Type::Bool}, real{Type::Real}, integer{Type::Int};
 
 template <class Node>
 ExprPtr make(ExprType type, Node node, Span span) {
@@ -114,7 +114,7 @@ class Checker {
   }
 
   void report_unknown_name(std::string const& name, Span span) {
-    if (find_function(name)) {
+    if (find_function(name) || (context_.externs && context_.externs->functions.contains(name))) {
       report(Code::unknown_value, span, fmt::format("`{}` is a function, not a value", name), {},
              {fmt::format("it is called with its arguments: `{}(…)`", name)});
       return;
@@ -148,7 +148,7 @@ class Checker {
     std::optional<Meaning> const meaning = resolve(expr.name, span);
     if (!meaning) return {};
     if (auto const* p = std::get_if<ir::ParameterRef>(&*meaning)) {
-      return make({context_.rule->parameters[p->index].type}, *p, span);
+      return make(context_.rule->parameters[p->index].value_type(), *p, span);
     }
     if (auto const* l = std::get_if<ir::LetRef>(&*meaning)) {
       ir::Expr const& value = *context_.rule->lets[l->index].value;
@@ -230,15 +230,17 @@ class Checker {
       auto const embedding = over ? find_embedding(member.name) : std::nullopt;
       if (!embedding) return {};
       EmbeddingSpec const& spec = context_.rule->modeler->embeddings[*embedding];
+      ExprType type = context_.rule->modeler->value_type(*embedding);
+      type.list = true;
       if (!orbit->by) over->by = intersection(*context_.group, over->orbit, spec.orbit);  // each value once
-      return make({spec.type, true}, ir::Collect{*embedding, std::move(*over)}, span);
+      return make(std::move(type), ir::Collect{*embedding, std::move(*over)}, span);
     }
     ExprPtr base = check(*member.base);
     if (!base) return {};
     if (base->type != ir::dart_type) return component(member, std::move(base), span);
     auto const embedding = find_embedding(member.name);
     if (!embedding) return {};
-    return make({context_.rule->modeler->embeddings[*embedding].type}, ir::ValueAt{*embedding, std::move(base)}, span);
+    return make(context_.rule->modeler->value_type(*embedding), ir::ValueAt{*embedding, std::move(base)}, span);
   }
 
   std::optional<std::size_t> find_embedding(ast::Name const& name) {
@@ -280,6 +282,25 @@ class Checker {
     return apply(builtin_of(binary.op), binary.op_span, {std::move(left), std::move(right)}, span, diagnostics_);
   }
 
+  ir::ExternFunctionPtr const* find_extern(std::string const& name) const {
+    if (!context_.externs) return nullptr;
+    auto const found = context_.externs->functions.find(name);
+    return found == context_.externs->functions.end() ? nullptr : &found->second;
+  }
+
+  ExprPtr report_unknown_function(ast::Name const& name) {
+    std::vector<std::string> known = function_names();
+    if (context_.externs) {
+      if (context_.externs->types.contains(name.text)) {
+        return report(Code::unknown_function, name.span, fmt::format("`{}` is an extern type, not a function", name.text), {},
+                      {"its values come from extern functions and from embeddings"});
+      }
+      for (std::string& f : context_.externs->function_names()) known.push_back(std::move(f));
+    }
+    report_unknown(diagnostics_, Code::unknown_function, name, "function", known);
+    return {};
+  }
+
   ExprPtr check(ast::Call const& call, Span span) {
     std::string const& name = call.function.text;
     if (!call.dimensions.empty()) {
@@ -287,11 +308,9 @@ class Checker {
                     {"rules are applied by operations, not by expressions"});
     }
     std::optional<Builtin> const function = find_function(name);
-    if (!function) {
-      report_unknown(diagnostics_, Code::unknown_function, call.function, "function", function_names());
-      return {};
-    }
-    if (*function == Builtin::count && context_.rule && call.arguments.size() == 1 && !call.arguments.front().name) {
+    ir::ExternFunctionPtr const* const external = function ? nullptr : find_extern(name);
+    if (!function && !external) return report_unknown_function(call.function);
+    if (function == Builtin::count && context_.rule && call.arguments.size() == 1 && !call.arguments.front().name) {
       auto const* orbit = std::get_if<ast::OrbitOf>(&call.arguments.front().value->value);
       if (orbit) return count(*orbit, call.arguments.front().value->span, span);
     }
@@ -304,6 +323,10 @@ class Checker {
       }
       arguments.push_back(check(*argument.value));
       good = good && !argument.name && arguments.back();
+    }
+    if (external) {
+      good = good && *external;  // null: its declaration is reported
+      return good ? call_extern(*external, call.function.span, std::move(arguments), span, diagnostics_) : nullptr;
     }
     good = check_argument_count(*function, call.function.span, arguments.size(), diagnostics_) && good;
     return good ? apply(*function, call.function.span, std::move(arguments), span, diagnostics_) : nullptr;
@@ -342,7 +365,8 @@ class Checker {
 
   ExprPtr check(ast::Comprehension const& comprehension, Span span) {
     if (!context_.rule) return report_not_constant(comprehension.orbit->span);
-    auto const aggregate = find_aggregate(comprehension.aggregate);
+    ir::ExternFunctionPtr const* const external = find_extern(comprehension.aggregate.text);
+    auto const aggregate = external ? std::nullopt : find_aggregate(comprehension.aggregate);
     auto over = range(*comprehension.orbit);
     if (!check_fresh(comprehension.variable)) return {};
     ir::Bound variable{variables_.size(), comprehension.variable.text};
@@ -357,10 +381,13 @@ class Checker {
                        fmt::format("the element of a comprehension is one value, this is {}", described(element->type)),
                        {}, std::move(notes));
     }
-    if (!aggregate || !over || !element) return {};
-    ExprType const type{element->type.element, true};
+    bool const known = external ? *external != nullptr : aggregate.has_value();
+    if (!known || !over || !element) return {};
+    ExprType type = element->type;
+    type.list = true;
     Span const element_span = element->span;
     ExprPtr list = make(type, ir::ForEach{std::move(variable), std::move(*over), std::move(element)}, element_span);
+    if (external) return call_extern(*external, comprehension.aggregate.span, {std::move(list)}, span, diagnostics_);
     return apply(*aggregate, comprehension.aggregate.span, {std::move(list)}, span, diagnostics_);
   }
 
@@ -430,63 +457,6 @@ ExprPtr check_expression(ast::Expr const& expr, ExprContext const& context, std:
                          Diagnostics& diagnostics) {
   ExprPtr value = Checker(context, diagnostics).check(expr);
   return value && expected ? convert(std::move(value), *expected, diagnostics) : value;
-}
-
-std::optional<Type> resolve_type(ast::TypeName const& type, Diagnostics& diagnostics) {
-  constexpr std::array all{Type::Bool, Type::Int,    Type::Real,   Type::Vec2,
-                           Type::Vec3, Type::Point2, Type::Point3, Type::Color};
-  std::string const& name = type.name.text;
-  auto const found = std::find_if(all.begin(), all.end(), [&](Type t) { return to_string(t) == name; });
-  if (found == all.end()) {
-    if (name == "Dart") {
-      diagnostics.add({.code = Code::unknown_type, .span = type.name.span, .message = "a `Dart` cannot be stored",
-                       .notes = {"a rule gets darts at its hooks, an expression by the nodes of the left side"}});
-      return {};
-    }
-    std::vector<std::string> known;
-    for (Type t : all) known.push_back(to_string(t));
-    report_unknown(diagnostics, Code::unknown_type, type.name, "type", known);
-    return {};
-  }
-  if (type.list) {
-    diagnostics.add({.code = Code::extern_not_implemented, .span = type.name.span,
-                     .message = fmt::format("values of the list type `[{}]` are not yet implemented", name)});
-    return {};
-  }
-  return *found;
-}
-
-std::optional<MergePolicy> resolve_merge(ast::Name const& policy, Type type, Diagnostics& diagnostics) {
-  struct Row {
-    std::string_view name;
-    MergePolicy policy;
-    Builtin aggregate;
-  };
-  constexpr std::array rows{Row{"mean", MergePolicy::mean, Builtin::mean}, Row{"min", MergePolicy::min, Builtin::min},
-                            Row{"max", MergePolicy::max, Builtin::max},
-                            Row{"first", MergePolicy::first, Builtin::first}};
-  auto const row = std::find_if(rows.begin(), rows.end(), [&](Row const& r) { return r.name == policy.text; });
-  if (row == rows.end()) {
-    report_unknown(diagnostics, Code::bad_merge, policy, "merge policy", {"mean", "min", "max", "first"});
-    return {};
-  }
-  std::vector<std::string> merged;
-  for (Signature const& s : signatures(row->aggregate)) {
-    if (!s.parameters.front().list || s.parameters.front().element != s.result.element) continue;
-    if (s.parameters.front().element == type) return row->policy;
-    merged.push_back(to_string(s.parameters.front().element));
-  }
-  diagnostics.add({.code = Code::bad_merge, .span = policy.span,
-                   .message = fmt::format("values of type `{}` have no `{}`", to_string(type), policy.text),
-                   .notes = {fmt::format("`{}` merges values of type {}", policy.text, fmt::join(merged, ", "))}});
-  return {};
-}
-
-std::optional<Value> evaluate_constant(ast::Expr const& expr, Type type, Diagnostics& diagnostics) {
-  ExprPtr const value = check_expression(expr, {}, ExprType{type}, diagnostics);
-  if (!value) return {};
-  auto const leaf = [](ir::Expr const&) -> ir::Evaluated { throw std::logic_error("a constant reads"); };
-  return std::get<Value>(ir::evaluate(*value, leaf));
 }
 
 }  // namespace jrule::sema

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "compiler/algebra/group.h"
-#include "compiler/sema/expressions.h"
 #include "compiler/sema/names.h"
+#include "compiler/sema/types.h"
 
 namespace jrule::sema {
 
@@ -221,7 +221,8 @@ void check_model(ast::Model const& model, Diagnostics& diagnostics) {
   for (source::Diagnostic const& d : first->all()) diagnostics.add(d);
 }
 
-std::shared_ptr<ir::Modeler const> elaborate_modeler(ast::Modeler const& declared, Items const& items, Diagnostics& diagnostics) {
+std::shared_ptr<ir::Modeler const> elaborate_modeler(ast::Modeler const& declared, Items const& items, Externs const& externs,
+                                                     Diagnostics& diagnostics) {
   std::optional<Model> model = resolve_model(declared.model, items, {}, diagnostics);
   if (!model) return {};
   auto modeler = std::make_shared<ir::Modeler>();
@@ -240,7 +241,7 @@ std::shared_ptr<ir::Modeler const> elaborate_modeler(ast::Modeler const& declare
       continue;
     }
     auto const orbit = evaluate_orbit(modeler->model, e.orbit, {}, diagnostics);
-    auto const type = resolve_type(e.type, diagnostics);
+    auto const type = resolve_stored_type(e.type, externs, diagnostics);
     if (!orbit || !type) continue;
     if (std::any_of(orbit->words.begin(), orbit->words.end(), [](Word const& word) { return word.size() > 2; })) {
       // Along a longer word, a rule can join two orbits that both lie outside of what it matches.
@@ -253,18 +254,23 @@ std::shared_ptr<ir::Modeler const> elaborate_modeler(ast::Modeler const& declare
     EmbeddingSpec spec;
     spec.name = e.name.text;
     spec.orbit = *orbit;
-    spec.type = *type;
+    spec.type = type->element;
+    if (type->external) spec.extern_name = type->external->cpp_name;
+    ir::EmbeddingExterns from_outside{type->external, {}, {}};
     if (e.default_value) {
-      auto const value = evaluate_constant(*e.default_value, *type, diagnostics);
+      auto const value = evaluate_default(*e.default_value, *type, externs, diagnostics);
       if (!value) continue;
-      spec.default_value = *value;
+      spec.default_value = value->value;
+      from_outside.default_value = value->computed;
     }
     if (e.merge) {
-      auto const policy = resolve_merge(*e.merge, *type, diagnostics);
-      if (!policy) continue;
-      spec.merge = *policy;
+      auto const merge = resolve_merge(*e.merge, *type, externs, diagnostics);
+      if (!merge) continue;
+      spec.merge = merge->policy;
+      from_outside.merge = merge->function;
     }
     modeler->embeddings.push_back(std::move(spec));
+    modeler->externs.push_back(std::move(from_outside));
     modeler->embedding_docs.push_back(e.doc);
     modeler->embedding_spans.push_back(e.name.span);
   }

@@ -6,6 +6,7 @@
 
 #include "compiler/ir/rule_scheme.h"
 #include "compiler/sema/dimensions.h"
+#include "compiler/sema/externs.h"
 #include "compiler/sema/modules.h"
 
 namespace jrule::sema {
@@ -58,7 +59,7 @@ std::optional<Model> resolve_model(ast::ModelRef const& ref, Items const& items,
 
 /// A declared modeler. None if its model is not good; an embedding that is not is reported and left out.
 std::shared_ptr<ir::Modeler const> elaborate_modeler(ast::Modeler const& modeler, Items const& items,
-                                                     source::Diagnostics& diagnostics);
+                                                     Externs const& externs, source::Diagnostics& diagnostics);
 
 /// Checks a user's `model` declaration on its own, for small n if it has a parameter.
 void check_model(ast::Model const& model, source::Diagnostics& diagnostics);

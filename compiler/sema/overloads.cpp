@@ -16,7 +16,9 @@ struct Pattern {
   bool list = false;
   bool dart = false;
 
-  ExprType with(std::optional<Type> variable) const { return dart ? ir::dart_type : ExprType{type ? *type : *variable, list}; }
+  ExprType with(std::optional<Type> variable) const {
+    return dart ? ir::dart_type : ExprType{type ? *type : *variable, list};
+  }
 };
 
 /// Some signatures of a function: one for each type that T stands for.
@@ -149,7 +151,8 @@ std::string component_names(Type type) {
     case Type::Color: return "rgb";
     case Type::Bool:
     case Type::Int:
-    case Type::Real: return "";
+    case Type::Real:
+    case Type::Extern: return "";
   }
   return "";
 }

@@ -9,6 +9,7 @@
 #include "compiler/algebra/group.h"
 #include "compiler/sema/expressions.h"
 #include "compiler/sema/names.h"
+#include "compiler/sema/types.h"
 
 namespace jrule::sema {
 
@@ -22,6 +23,7 @@ namespace {
 struct RuleElaboration {
   ast::Rule const& declared;
   DimensionValues const& values;
+  Externs const& externs;
   Diagnostics& diagnostics;
   Model const& model;
   algebra::Group group;
@@ -32,8 +34,9 @@ struct RuleElaboration {
   bool hook_type_known = false;  // else its error is reported, and nothing is said about positions
   std::set<std::pair<std::string, bool>> unknown_nodes;  // that arcs name, on the left?
 
-  RuleElaboration(ast::Rule const& r, std::shared_ptr<ir::Modeler const> modeler, DimensionValues const& v, Diagnostics& d)
-      : declared(r), values(v), diagnostics(d), model(modeler->model), group(modeler->model) {
+  RuleElaboration(ast::Rule const& r, std::shared_ptr<ir::Modeler const> modeler, DimensionValues const& v, Externs const& e,
+                  Diagnostics& d)
+      : declared(r), values(v), externs(e), diagnostics(d), model(modeler->model), group(modeler->model) {
     rule.modeler = std::move(modeler);
   }
 
@@ -50,9 +53,16 @@ struct RuleElaboration {
       if (!fresh) {
         report(Code::duplicate_name, p.name.span, fmt::format("the parameter `{}` is declared twice", p.name.text), {{first->second, "first declared here"}});
       }
-      std::optional<Type> const type = resolve_type(p.type, diagnostics);
-      ir::Parameter parameter{p.name.text, type.value_or(Type::Real), {}};
-      if (type && p.default_value) parameter.default_value = evaluate_constant(*p.default_value, *type, diagnostics);
+      ir::Parameter parameter{.name = p.name.text, .default_value = {}, .doc = p.doc, .span = p.name.span};
+      if (auto const type = resolve_stored_type(p.type, externs, diagnostics)) {
+        parameter.type = type->element;
+        parameter.external = type->external;
+        if (p.default_value) {
+          auto const value = evaluate_default(*p.default_value, *type, externs, diagnostics);
+          parameter.default_value = value ? value->value : std::nullopt;
+          parameter.computed_default = value ? value->computed : nullptr;
+        }
+      }
       rule.parameters.push_back(std::move(parameter));
     }
   }
@@ -324,7 +334,7 @@ struct RuleElaboration {
 
   void add_left_expressions() {
     for (ast::SideItem const& item : declared.left.items) {
-      ExprContext const context{&rule, &group, &values};
+      ExprContext const context{&rule, &group, &values, &externs};
       if (auto const* let = std::get_if<ast::Let>(&item)) {
         check_fresh_value_name(let->name);
         if (ir::ExprPtr value = check_expression(*let->value, context, {}, diagnostics)) {
@@ -350,7 +360,7 @@ struct RuleElaboration {
   }
 
   void add_clauses() {
-    ExprContext const context{&rule, &group, &values};
+    ExprContext const context{&rule, &group, &values, &externs};
     for (ast::SideItem const& item : declared.right.items) {
       if (auto const* let = std::get_if<ast::Let>(&item)) {
         report(Code::misplaced_item, let->span, "a `let` stands on the left side", {}, {"it is computed before anything changes, and is visible on the right side"});
@@ -380,7 +390,7 @@ struct RuleElaboration {
         return;
       }
     }
-    if (ir::ExprPtr value = check_expression(*clause.value, context, ir::ExprType{found->type, false, false}, diagnostics)) {
+    if (ir::ExprPtr value = check_expression(*clause.value, context, rule.modeler->value_type(index), diagnostics)) {
       rule.clauses.push_back({id, index, std::move(value), clause.span});
     }
   }
@@ -417,8 +427,8 @@ struct RuleElaboration {
 
 std::optional<ir::RuleScheme> elaborate_rule(ast::Rule const& rule, std::string const& name, std::string const& module,
                                              std::shared_ptr<ir::Modeler const> modeler, DimensionValues const& values,
-                                             Diagnostics& diagnostics) {
-  return RuleElaboration(rule, std::move(modeler), values, diagnostics).run(name, module);
+                                             Externs const& externs, Diagnostics& diagnostics) {
+  return RuleElaboration(rule, std::move(modeler), values, externs, diagnostics).run(name, module);
 }
 
 }  // namespace jrule::sema

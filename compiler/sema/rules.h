@@ -6,6 +6,7 @@
 
 #include "compiler/ir/rule_scheme.h"
 #include "compiler/sema/dimensions.h"
+#include "compiler/sema/externs.h"
 #include "compiler/syntax/ast.h"
 
 namespace jrule::sema {
@@ -14,6 +15,6 @@ namespace jrule::sema {
 /// scheme's: "cone", "sew[2]".
 std::optional<ir::RuleScheme> elaborate_rule(ast::Rule const& rule, std::string const& name, std::string const& module,
                                              std::shared_ptr<ir::Modeler const> modeler, DimensionValues const& values,
-                                             source::Diagnostics& diagnostics);
+                                             Externs const& externs, source::Diagnostics& diagnostics);
 
 }  // namespace jrule::sema

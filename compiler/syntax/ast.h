@@ -117,6 +117,7 @@ struct Parameter {
   Name name;
   TypeName type;
   ExprPtr default_value;  ///< null if none
+  std::string doc{};
 };
 
 struct Import {
@@ -201,8 +202,15 @@ struct Rule {
   Span span;
 };
 
-struct ExternType { std::string doc; Name name; std::string header, cpp_name; Span span; };
-struct ExternFunction { std::string doc; Name name; std::vector<Parameter> parameters; TypeName result; std::string header, cpp_name; Span span; };
+struct ExternType { std::string doc; Name name; std::string header, cpp_name; Span header_span, cpp_name_span, span; };
+struct ExternFunction {
+  std::string doc;
+  Name name;
+  std::vector<Parameter> parameters;
+  TypeName result;
+  std::string header, cpp_name;
+  Span header_span, cpp_name_span, span;
+};
 
 // Operations (language reference, section 7).
 struct Statement;

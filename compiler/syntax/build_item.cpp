@@ -177,7 +177,8 @@ std::vector<ast::Parameter> Builder::parameters(JRuleParser::ParametersContext* 
   for (auto* parameter : tree->parameter()) {
     auto* value = parameter->expression();
     result.push_back(
-        {name(parameter->name()), type_name(parameter->typeName()), value == nullptr ? nullptr : expression(value)});
+        {name(parameter->name()), type_name(parameter->typeName()), value == nullptr ? nullptr : expression(value),
+         doc(parameter->getStart())});
   }
   return result;
 }
@@ -251,11 +252,20 @@ ast::Item Builder::extern_item(JRuleParser::ExternItemContext* tree) {
   auto const strings = tree->STRING();
   auto const header = string(strings[0]->getSymbol());
   auto const cpp_name = string(strings[1]->getSymbol());
+  auto const header_span = parser_.span(strings[0]->getSymbol()), cpp_name_span = parser_.span(strings[1]->getSymbol());
   auto const text = doc(tree->getStart());
-  if (tree->KW_TYPE() != nullptr) return ast::ExternType{text, name(tree->name()), header, cpp_name, span(tree)};
-  return ast::ExternFunction{
-      text,     name(tree->name()), parameters(tree->parameters()), type_name(tree->typeName()), header,
-      cpp_name, span(tree)};
+  if (tree->KW_TYPE() != nullptr) {
+    return ast::ExternType{text, name(tree->name()), header, cpp_name, header_span, cpp_name_span, span(tree)};
+  }
+  return ast::ExternFunction{text,
+                             name(tree->name()),
+                             parameters(tree->parameters()),
+                             type_name(tree->typeName()),
+                             header,
+                             cpp_name,
+                             header_span,
+                             cpp_name_span,
+                             span(tree)};
 }
 
 }  // namespace jrule::syntax

@@ -170,6 +170,8 @@ class Dumper {
     for (auto const& parameter : parameters) {
       line(fmt::format("parameter {}: {}{}", parameter.name.text, text_of(parameter.type),
                        parameter.default_value ? fmt::format(" = {}", text_of(*parameter.default_value)) : ""));
+      Inside inside(*this);
+      doc(parameter.doc);
     }
   }
 

@@ -13,8 +13,8 @@ namespace jrule {
 namespace {
 
 /// The language's type of a pool's elements: a Bool is stored as a byte, for std::vector<bool> has no addressable ones.
-template <class Stored>
-using Unstored = std::conditional_t<std::is_same_v<Stored, std::uint8_t>, bool, Stored>;
+template <class S>
+using Unstored = std::conditional_t<std::is_same_v<S, std::uint8_t>, bool, S>;
 
 template <class T>
 concept HasMean = requires(std::span<T const> values) { { mean(values) } -> std::same_as<T>; };
@@ -29,6 +29,7 @@ bool offers(MergePolicy policy) {
     case MergePolicy::mean: return HasMean<T>;
     case MergePolicy::min:
     case MergePolicy::max: return HasOrder<T>;
+    case MergePolicy::function: return true;
   }
   return false;
 }
@@ -45,31 +46,64 @@ Embedding::Embedding(EmbeddingSpec spec) : spec_(std::move(spec)) {
     case Type::Point2: pool_.emplace<std::vector<Point2>>(); break;
     case Type::Point3: pool_.emplace<std::vector<Point3>>(); break;
     case Type::Color: pool_.emplace<std::vector<Color>>(); break;
+    case Type::Extern:
+      if (spec_.extern_parts.make_pool != nullptr) extern_pool_ = spec_.extern_parts.make_pool();
+      break;
+  }
+  bool const is_extern = spec_.type == Type::Extern;
+  if (is_extern != (extern_pool_ != nullptr) || is_extern == spec_.extern_name.empty()) {
+    throw std::invalid_argument("embedding `" + spec_.name + "`: Type::Extern goes with a C++ type's name and pool");
+  }
+  if ((spec_.merge == MergePolicy::function) != (spec_.extern_parts.add_merged != nullptr)) {
+    throw std::invalid_argument("embedding `" + spec_.name + "`: merging by a function needs one, and only that does");
   }
   if (spec_.default_value && type_of(*spec_.default_value) != spec_.type) {
     throw std::invalid_argument("embedding `" + spec_.name + "`: the default is not of type " + to_string(spec_.type));
   }
-  bool const mergeable = std::visit(
-      [&]<class Stored>(std::vector<Stored> const&) { return offers<Unstored<Stored>>(spec_.merge); }, pool_);
+  // Of a type from outside nothing is known that `mean`, `min` or `max` could use.
+  bool const mergeable =
+      is_extern ? offers<bool>(spec_.merge)
+                : std::visit([&]<class S>(std::vector<S> const&) { return offers<Unstored<S>>(spec_.merge); }, pool_);
   if (!mergeable) {
     throw std::invalid_argument("embedding `" + spec_.name + "`: its merge policy is not offered for type " +
                                 to_string(spec_.type));
   }
 }
 
+Embedding::Embedding(Embedding const& other)
+    : spec_(other.spec_),
+      handles_(other.handles_),
+      pool_(other.pool_),
+      extern_pool_(other.extern_pool_ ? other.extern_pool_->clone() : nullptr) {}
+
+Embedding& Embedding::operator=(Embedding const& other) { return *this = Embedding(other); }
+
 std::size_t Embedding::value_count() const noexcept {
+  if (extern_pool_) return extern_pool_->size();
   return std::visit([](auto const& pool) { return pool.size(); }, pool_);
 }
 
+std::optional<Handle> Embedding::add_default() {
+  if (spec_.extern_parts.add_default != nullptr) return spec_.extern_parts.add_default(*this);
+  if (spec_.default_value) return add(*spec_.default_value);
+  return std::nullopt;
+}
+
 Handle Embedding::add(Value const& value) {
+  if (extern_pool_) throw std::invalid_argument("embedding `" + spec_.name + "` holds values of " + spec_.extern_name);
   std::size_t const handle = value_count();
   if (handle >= no_handle) throw std::length_error("too many values of embedding `" + spec_.name + "`");
-  std::visit([&]<class Stored>(std::vector<Stored>& pool) { pool.push_back(std::get<Unstored<Stored>>(value)); },
+  std::visit([&]<class S>(std::vector<S>& pool) { pool.push_back(std::get<Unstored<S>>(value)); },
              pool_);
   return static_cast<Handle>(handle);
 }
 
 void Embedding::reserve_values(std::size_t count) {
+  if (extern_pool_) {
+    if (extern_pool_->size() + count >= no_handle) throw std::length_error("too many values of embedding `" + spec_.name + "`");
+    extern_pool_->reserve(count);
+    return;
+  }
   std::visit(
       [&](auto& pool) {
         std::size_t const needed = pool.size() + count;
@@ -81,6 +115,7 @@ void Embedding::reserve_values(std::size_t count) {
 }
 
 void Embedding::truncate_values(std::size_t count) noexcept {
+  if (extern_pool_) return extern_pool_->truncate(count);
   std::visit(
       [&](auto& pool) {
         if (count < pool.size()) pool.erase(pool.begin() + static_cast<std::ptrdiff_t>(count), pool.end());
@@ -89,34 +124,43 @@ void Embedding::truncate_values(std::size_t count) noexcept {
 }
 
 Value Embedding::value(Handle h) const noexcept {
+  assert(!extern_pool_);
   return std::visit(
-      [&]<class Stored>(std::vector<Stored> const& pool) -> Value {
+      [&]<class S>(std::vector<S> const& pool) -> Value {
         // In place, so that the byte of a Bool becomes that alternative and no other.
-        return Value(std::in_place_type<Unstored<Stored>>, static_cast<Unstored<Stored>>(pool[h]));
+        return Value(std::in_place_type<Unstored<S>>, static_cast<Unstored<S>>(pool[h]));
       },
       pool_);
 }
 
 void Embedding::compact() {
-  std::visit(
-      [&]<class Stored>(std::vector<Stored>& pool) {
-        std::vector<Handle> renumbered(pool.size(), no_handle);
-        std::vector<Stored> kept;
-        for (Handle h : handles_) {
-          if (h == no_handle || renumbered[h] != no_handle) continue;
-          renumbered[h] = static_cast<Handle>(kept.size());
-          kept.push_back(pool[h]);
-        }
-        for (Handle& h : handles_) {
-          if (h != no_handle) h = renumbered[h];
-        }
-        pool = std::move(kept);
-      },
-      pool_);
+  std::vector<Handle> renumbered(value_count(), no_handle);
+  std::vector<Handle> kept;
+  for (Handle const h : handles_) {
+    if (h == no_handle || renumbered[h] != no_handle) continue;
+    renumbered[h] = static_cast<Handle>(kept.size());
+    kept.push_back(h);
+  }
+  if (extern_pool_) {
+    extern_pool_->keep(kept);
+  } else {
+    std::visit(
+        [&](auto& pool) {
+          std::remove_reference_t<decltype(pool)> values;
+          values.reserve(kept.size());
+          for (Handle const h : kept) values.push_back(pool[h]);
+          pool = std::move(values);
+        },
+        pool_);
+  }
+  for (Handle& h : handles_) {
+    if (h != no_handle) h = renumbered[h];
+  }
 }
 
 Value Embedding::merge(std::span<Handle const> parts) const noexcept {
-  assert(!parts.empty() && spec_.merge != MergePolicy::none);
+  assert(!parts.empty() && !extern_pool_);
+  assert(spec_.merge != MergePolicy::none && spec_.merge != MergePolicy::function);
   Value result = value(parts.front());
   if (spec_.merge == MergePolicy::mean) {
     // As mean() of the list, but without the list: sums from zero in its order, divided once.

@@ -81,6 +81,18 @@ std::vector<Dart> Map::add_darts(std::size_t count) {
   return added;
 }
 
+void Map::undo_add(std::span<Dart const> added, Dart limit) noexcept {
+  for (Column& c : columns_) {
+    c.targets.resize(limit);
+    if (!c.sources.empty()) c.sources.resize(limit);
+  }
+  for (Embedding& e : embeddings_) e.resize(limit);
+  limit_ = limit;
+  for (Dart const d : added) {
+    if (d < limit) erase(d);  // there is room: the index came from there
+  }
+}
+
 void Map::erase(Dart d) {
   assert(contains(d));
   free_.push_back(d);

@@ -131,22 +131,27 @@ void assign_orbit(Map& map, std::size_t embedding, Dart d, Handle value, Workspa
   for (Dart const member : collect_orbit(map, e.spec().orbit, d, workspace)) e.set_handle(member, value);
 }
 
-void merge_orbit(Map& map, std::size_t embedding, Dart d, Workspace& workspace) noexcept {
-  Embedding& e = map.embedding(embedding);
-  std::span<Dart const> const members = collect_orbit(map, e.spec().orbit, d, workspace);
-  if (members.empty()) return;
-  std::vector<Handle>& parts = workspace.handles();
+bool collect_values(Embedding const& embedding, std::span<Dart const> darts, std::vector<Handle>& parts) noexcept {
   bool complete = true;
-  for (Dart const member : members) {
-    Handle const h = e.handle(member);
+  for (Dart const d : darts) {
+    Handle const h = embedding.handle(d);
     if (h == no_handle) {
       complete = false;
     } else if (std::find(parts.begin(), parts.end(), h) == parts.end()) {
       parts.push_back(h);
     }
   }
-  if (parts.empty() || (complete && parts.size() == 1)) return;
-  Handle const value = parts.size() == 1 ? parts.front() : e.add(e.merge(parts));
+  return parts.empty() || (complete && parts.size() == 1);
+}
+
+void merge_orbit(Map& map, std::size_t embedding, Dart d, Workspace& workspace) noexcept {
+  Embedding& e = map.embedding(embedding);
+  std::span<Dart const> const members = collect_orbit(map, e.spec().orbit, d, workspace);
+  if (members.empty()) return;
+  std::vector<Handle>& parts = workspace.handles();
+  if (collect_values(e, members, parts)) return;
+  bool const is_known = parts.size() == 1 || e.spec().merge == MergePolicy::first;
+  Handle const value = is_known ? parts.front() : e.add(e.merge(parts));
   for (Dart const member : members) e.set_handle(member, value);
 }
 

@@ -83,6 +83,7 @@ std::string to_string(Type type) {
     case Type::Point2: return "Point2";
     case Type::Point3: return "Point3";
     case Type::Color: return "Color";
+    case Type::Extern: return "extern";
   }
   assert(false);
   return {};
@@ -111,6 +112,7 @@ int component_count(Type type) noexcept {
     case Type::Vec3:
     case Type::Point3:
     case Type::Color: return 3;
+    case Type::Extern: return 0;
   }
   assert(false);
   return 0;
@@ -133,6 +135,7 @@ Value from_components(Type type, std::span<double const> c) noexcept {
     case Type::Point2: return Point2{c[0], c[1]};
     case Type::Point3: return Point3{c[0], c[1], c[2]};
     case Type::Color: return Color{c[0], c[1], c[2]};
+    case Type::Extern: break;
   }
   assert(false);
   return {};

@@ -27,7 +27,7 @@ void write_reserve(Writer& out, Function const& f) {
   for (std::size_t e = 0; e < f.embeddings.size(); ++e) {
     std::size_t merges = 0;
     for (auto const& component : f.plan.orbits) {
-      if (component.embedding == e && component.kind == Kind::merge) ++merges;
+      if (component.embedding == e && component.kind == Kind::merge && !f.merges_on_trial(e)) ++merges;
     }
     std::string const more = merges == 0 ? "" : times(merges, f.size);
     if (f.adds_values[e]) {
@@ -41,13 +41,18 @@ void write_reserve(Writer& out, Function const& f) {
     out.line("{}.reserve({}.dart_limit(){});", f.workspace, f.map,
              f.plan.added.empty() ? "" : " + " + times(f.plan.added.size(), f.size));
   }
+  std::string darts = f.map;
+  if (f.merges_on_trial()) {
+    darts = f.local("trial");
+    out.line("jrule::rewrite::Trial {}({}, {}, {});", darts, f.map, f.workspace, times(f.plan.writes.size(), f.size));
+  }
   if (f.plan.added.empty()) return;
   std::string columns;
   for (ir::NodeId const id : f.plan.added)
     columns += fmt::format("{}{}({})", columns.empty() ? "" : ", ", f.darts[id], f.size);
   out.line("std::vector<jrule::Dart> {};", columns);
-  out.line("std::vector<jrule::Dart> const {} = {}.add_darts({});", f.local("added"), f.map,
-           times(f.plan.added.size(), f.size));
+  out.line("{} const {} = {}.add_darts({});", f.merges_on_trial() ? "std::span<jrule::Dart const>" : "std::vector<jrule::Dart>",
+           f.local("added"), darts, times(f.plan.added.size(), f.size));
   out.open("{} {{", f.loop());
   for (std::size_t i = 0; i < f.plan.added.size(); ++i) {
     out.line("{} = {}[{}{}];", f.dart(f.plan.added[i]), f.local("added"), i == 0 ? "" : times(i, f.size) + " + ",
@@ -56,17 +61,27 @@ void write_reserve(Writer& out, Function const& f) {
   out.close();
 }
 
-void write_arcs(Writer& out, Function const& f) {
+void write_deletions(Writer& out, Function const& f) {
   for (ir::NodeId const id : f.plan.deleted) {
     out.line("// {}: {} is deleted", place(f.sources, f.node(id).span()), f.node(id).name);
     out.line("{} {}.erase({});", f.loop(), f.map, f.dart(id));
   }
+}
+
+// `to`: the map, or the trial.
+void write_arcs(Writer& out, Function const& f, std::string const& to) {
   for (ir::Arc const& arc : f.plan.writes) {
     out.line("// {}: {}", place(f.sources, arc.span),
              arc_text(f.rule, arc.source, arc.dimension, arc.word, arc.target));
-    out.line("{} {}.set_target({}, {}, {});", f.loop(), f.map, f.dart(arc.source), arc.dimension,
+    out.line("{} {}.set_target({}, {}, {});", f.loop(), to, f.dart(arc.source), arc.dimension,
              f.dart(arc.target, arc.word));
   }
+}
+
+// Visits each orbit of the pattern once.
+std::string if_first(Function const& f, analysis::OrbitComponent const& component) {
+  std::string const first = f.first(component);
+  return first.empty() ? "" : fmt::format("if ({0}[{1}] == {1}) ", first, f.index);
 }
 
 // The handles of one component's darts.
@@ -76,8 +91,6 @@ void write_handles(Writer& out, Function const& f, std::size_t c) {
   std::string const handle =
       component.kind == Kind::fresh && !component.clause ? f.handles[c] : fmt::format("{}[{}]", f.handles[c], f.index);
   ir::NodeId const root = component.members.front().node;
-  std::string const first = f.first(component),
-                    if_first = first.empty() ? "" : fmt::format("if ({0}[{1}] == {1}) ", first, f.index);
   switch (component.kind) {
     case Kind::fresh:
       for (auto const& member : component.members) {
@@ -98,13 +111,33 @@ void write_handles(Writer& out, Function const& f, std::size_t c) {
     case Kind::merge: {
       std::string const value = component.kind == Kind::assign ? handle + ", " : "";
       out.open("{} {{", f.loop());
-      out.line("{}jrule::rewrite::{}_orbit({}, {}, {}, {}{});", if_first,
+      out.line("{}jrule::rewrite::{}_orbit({}, {}, {}, {}{});", if_first(f, component),
                component.kind == Kind::assign ? "assign" : "merge", f.map, component.embedding, f.dart(root), value,
                f.workspace);
       out.close();
       return;
     }
   }
+}
+
+// What merged orbits get, where functions say it.
+void write_trial(Writer& out, Function const& f) {
+  std::string const& trial = f.local("trial");
+  write_arcs(out, f, trial);
+  for (std::size_t e = 0; e < f.embeddings.size(); ++e) {
+    if (!f.merges_on_trial(e)) continue;
+    out.line("// {}", f.spec(e).name);
+    if (f.adds_values[e]) out.line("{}.commit();", f.new_values[e]);
+    out.line("{}.begin_merges({});", trial, e);
+    for (auto const kind : {Kind::assign, Kind::merge}) {
+      for (auto const& component : f.plan.orbits) {
+        if (component.embedding != e || component.kind != kind) continue;
+        out.line("{} {}{}.{}({});", f.loop(), if_first(f, component), trial, kind == Kind::assign ? "exclude" : "merge",
+                 f.dart(component.members.front().node));
+      }
+    }
+  }
+  out.line("{}.keep();", trial);
 }
 
 void write_embeddings(Writer& out, Function const& f) {
@@ -116,7 +149,12 @@ void write_embeddings(Writer& out, Function const& f) {
     group = std::pair(component.embedding, component.kind);
     if (new_embedding) {
       out.line("// {}", f.spec(component.embedding).name);
-      if (f.adds_values[component.embedding]) out.line("{}.commit();", f.new_values[component.embedding]);
+      if (f.adds_values[component.embedding] && !f.merges_on_trial(component.embedding))
+        out.line("{}.commit();", f.new_values[component.embedding]);
+    }
+    if (component.kind == Kind::merge && f.merges_on_trial(component.embedding)) {
+      if (new_group) out.line("{}.commit_merges({});", f.local("trial"), component.embedding);
+      continue;
     }
     // The marks remember which orbits have their value: two components may meet beyond the pattern.
     if (new_group && (component.kind == Kind::assign || component.kind == Kind::merge))
@@ -149,14 +187,21 @@ void write_commit(Writer& out, Function const& f) {
       !f.plan.deleted.empty() || !f.plan.added.empty() || !f.plan.writes.empty() || !f.plan.orbits.empty();
   if (changes) {
     out.line();
-    out.line("// ---- Room for all of it: the last part that may fail ----");
+    out.line("// ---- Room for all of it{} ----", f.merges_on_trial() ? "" : ": the last part that may fail");
     out.line();
     write_reserve(out, f);
     out.line();
+    if (f.merges_on_trial()) {
+      out.line("// ---- Trial: the new arcs, for merging values; if a function throws, all of it is undone ----");
+      out.line();
+      write_trial(out, f);
+      out.line();
+    }
     out.line("// ---- Commit ----");
     out.line();
     out.open("auto const {} = [&]() noexcept {{", f.local("commit"));
-    write_arcs(out, f);
+    write_deletions(out, f);
+    if (!f.merges_on_trial()) write_arcs(out, f, f.map);
     write_embeddings(out, f);
     out.close("};");
     out.line("{}();", f.local("commit"));

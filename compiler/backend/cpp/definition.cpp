@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "compiler/backend/cpp/expression.h"
 #include "compiler/backend/cpp/function.h"
 #include "compiler/backend/cpp/sections.h"
 #include "compiler/backend/cpp/text.h"
+#include "compiler/ir/extern_use.h"
 
 namespace jrule::cpp {
 
@@ -48,6 +50,10 @@ void declare_result(Writer& out, Function const& f) {
 
 enum class Defaults { with, without };
 
+std::string default_of(ir::Parameter const& parameter) {
+  return parameter.default_value ? literal(*parameter.default_value) : constant_expression(*parameter.computed_default);
+}
+
 // "Surface& surface, jrule::Dart a, jrule::Point3 apex".
 std::string parameter_list(Function const& f, bool hooks, Defaults defaults, bool mark_unused) {
   std::vector<std::string> list{fmt::format("{}& {}", f.names.modeler, f.modeler)};
@@ -56,11 +62,11 @@ std::string parameter_list(Function const& f, bool hooks, Defaults defaults, boo
   }
   // C++ has defaults only at the end.
   std::size_t first_default = f.parameters.size();
-  while (first_default > 0 && f.rule.parameters[first_default - 1].default_value) --first_default;
+  while (first_default > 0 && f.rule.parameters[first_default - 1].has_default()) --first_default;
   for (std::size_t p = 0; p < f.parameters.size(); ++p) {
     ir::Parameter const& parameter = f.rule.parameters[p];
-    std::string text = fmt::format("{} {}", type_name(parameter.type), f.parameters[p]);
-    if (defaults == Defaults::with && p >= first_default) text += " = " + literal(*parameter.default_value);
+    std::string text = fmt::format("{} {}", parameter_type(parameter.value_type()), f.parameters[p]);
+    if (defaults == Defaults::with && p >= first_default) text += " = " + default_of(parameter);
     if (mark_unused && !f.uses_parameter[p]) text.insert(0, "[[maybe_unused]] ");
     list.push_back(std::move(text));
   }
@@ -86,9 +92,15 @@ void document(Writer& out, Function const& f, bool hooks) {
     }
   }
   for (std::size_t p = 0; p < f.parameters.size(); ++p) {
-    std::optional<Value> const& value = f.rule.parameters[p].default_value;
-    out.line("/// @param {}  {}{}", f.parameters[p], to_string(f.rule.parameters[p].type),
-             value ? ", by default " + to_string(*value) : "");
+    ir::Parameter const& parameter = f.rule.parameters[p];
+    std::string by_default;
+    if (parameter.default_value) by_default = ", by default " + to_string(*parameter.default_value);
+    if (parameter.computed_default) by_default = ", by default " + constant_expression(*parameter.computed_default);
+    out.line("/// @param {}  {}{}{}", f.parameters[p], to_string(parameter.value_type()), by_default, remark(parameter.doc));
+  }
+  if (ir::find_extern_use(f.rule)) {
+    out.text(hooks ? "/// @throws what C++ from outside throws, and then nothing has changed; running out of memory is returned"
+                   : "/// @throws what C++ from outside throws; what was applied before stays");
   }
   out.text(
       hooks ? "/// @return the darts of the right side; or why the rule is not applicable, and then nothing has changed"

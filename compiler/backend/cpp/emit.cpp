@@ -4,7 +4,9 @@
 
 #include <map>
 #include <optional>
+#include <set>
 
+#include "compiler/backend/cpp/externs.h"
 #include "compiler/backend/cpp/function.h"
 #include "compiler/backend/cpp/modeler.h"
 #include "compiler/backend/cpp/text.h"
@@ -151,11 +153,16 @@ struct Emission {
     header.line("{}", title());
     header.line("#pragma once");
     header.line();
-    for (char const* file : {"cstddef", "cstdint", "limits", "optional", "string", "utility", "vector"})
+    for (char const* file : {"cstddef", "cstdint", "limits", "optional", "span", "string", "utility", "vector"})
       header.line("#include <{}>", file);
     header.line();
-    for (char const* file : {"io", "map", "result", "rewrite", "typed", "value"})
+    for (char const* file : {"io", "map", "result", "rewrite", "trial", "typed", "value"})
       header.line("#include <jrule/{}.h>", file);
+    std::set<std::string> outside;
+    for (Class const& c : classes) add_headers(*c.modeler, outside, diagnostics);
+    for (Rule const& rule : rules) add_headers(*rule.scheme, outside, diagnostics);
+    if (!outside.empty()) header.line();
+    for (std::string const& file : outside) header.line("#include \"{}\"", file);
     for (Class const& c : classes) write_class(header, c);
 
     Writer code;

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <set>
+#include <stdexcept>
 
 #include "compiler/backend/cpp/text.h"
 
@@ -24,11 +25,16 @@ struct Code {
 std::string bound(Code const& code, Binding least) { return code.binding < least ? '(' + code.text + ')' : code.text; }
 
 struct Printer {
-  Function const& f;
+  Function const* function;  // null for an expression that reads nothing
   Where where;
   mutable std::set<std::size_t> mentioned{};  // levels of the comprehensions whose variables are
 
-  std::string orbit_type(OrbitType const& type) const { return type.words.empty() ? "{}" : f.orbit_types.at(type); }
+  Function const& f() const {
+    if (!function) throw std::logic_error("a constant expression reads");
+    return *function;
+  }
+
+  std::string orbit_type(OrbitType const& type) const { return type.words.empty() ? "{}" : f().orbit_types.at(type); }
 
   Code print(ir::Expr const& expr) const {
     return std::visit([&](auto const& node) { return print_node(node); }, expr.value);
@@ -37,34 +43,34 @@ struct Printer {
   static Code constant(std::string text) { return {text, text.front() == '-' ? unary : primary}; }
 
   Code print_node(ir::Constant const& c) const { return constant(literal(c.value)); }
-  Code print_node(ir::ParameterRef const& p) const { return {f.parameters[p.index]}; }
-  Code print_node(ir::LetRef const& l) const { return {f.lets[l.index]}; }
+  Code print_node(ir::ParameterRef const& p) const { return {f().parameters[p.index]}; }
+  Code print_node(ir::LetRef const& l) const { return {f().lets[l.index]}; }
   Code print_node(ir::NodeDart const& n) const {
-    if (where == Where::in_loop) return {f.dart(n.node)};
-    return {f.node(n.node).hook ? f.hooks[*f.node(n.node).hook] : f.darts[n.node] + "[0]"};
+    if (where == Where::in_loop) return {f().dart(n.node)};
+    return {f().node(n.node).hook ? f().hooks[*f().node(n.node).hook] : f().darts[n.node] + "[0]"};
   }
   Code print_node(ir::Bound const& b) const {
     mentioned.insert(b.level);
-    return {f.variables.at(b.name)};
+    return {f().variables.at(b.name)};
   }
-  Code print_node(ir::Walk const& w) const { return {walk(f.map, print(*w.from).text, w.path)}; }
+  Code print_node(ir::Walk const& w) const { return {walk(f().map, print(*w.from).text, w.path)}; }
   // The arguments that say which darts: "map, orbit_1_2, orbit_1, a".
   std::string darts(ir::Darts const& d) const {
-    return fmt::format("{}, {}, {}, {}", f.map, orbit_type(d.orbit), orbit_type(d.by), print(*d.at).text);
+    return fmt::format("{}, {}, {}, {}", f().map, orbit_type(d.orbit), orbit_type(d.by), print(*d.at).text);
   }
   Code print_node(ir::Darts const& d) const {
     return {fmt::format("jrule::rewrite::representatives({})", darts(d))};
   }
   Code print_node(ir::ValueAt const& v) const {
-    return {fmt::format("{}[{}]", f.values[v.embedding], print(*v.at).text)};
+    return {fmt::format("{}[{}]", f().values[v.embedding], print(*v.at).text)};
   }
   Code print_node(ir::Collect const& c) const {
-    return {fmt::format("{}.over({})", f.values[c.embedding], darts(c.over))};
+    return {fmt::format("{}.over({})", f().values[c.embedding], darts(c.over))};
   }
   Code print_node(ir::ForEach const& e) const {
     mentioned.erase(e.variable.level);
     std::string const element = print(*e.element).text;
-    std::string const name = mentioned.contains(e.variable.level) ? ' ' + f.variables.at(e.variable.name) : "";
+    std::string const name = mentioned.contains(e.variable.level) ? ' ' + f().variables.at(e.variable.name) : "";
     return {fmt::format("jrule::rewrite::each({}, [&](jrule::Dart{}) {{ return {}; }})", darts(e.over), name, element)};
   }
   Code print_node(ir::Conditional const& c) const {
@@ -83,11 +89,13 @@ struct Printer {
             binding};
   }
 
-  Code call(std::string const& function, ir::Apply const& a) const {
-    std::vector<std::string> arguments;
-    for (ir::ExprPtr const& argument : a.arguments) arguments.push_back(print(*argument).text);
-    return {fmt::format("{}({})", function, fmt::join(arguments, ", "))};
+  Code call(std::string const& name, std::vector<ir::ExprPtr> const& arguments) const {
+    std::vector<std::string> texts;
+    for (ir::ExprPtr const& argument : arguments) texts.push_back(print(*argument).text);
+    return {fmt::format("{}({})", name, fmt::join(texts, ", "))};
   }
+  Code call(std::string const& name, ir::Apply const& a) const { return call(name, a.arguments); }
+  Code print_node(ir::Call const& c) const { return call("::" + c.function->cpp_name, c.arguments); }
 
   Code construct(ir::Apply const& a, Type type) const {
     Code code = call(type_name(type), a);
@@ -171,7 +179,14 @@ struct Printer {
 }  // namespace
 
 std::string expression(ir::Expr const& expr, Function const& f, Where where) {
-  return Printer{f, where}.print(expr).text;
+  return Printer{&f, where}.print(expr).text;
+}
+
+std::string constant_expression(ir::Expr const& expr) { return Printer{nullptr, Where::at_hooks}.print(expr).text; }
+
+std::string default_value(ir::Modeler const& modeler, std::size_t embedding) {
+  if (auto const computed = modeler.externs_of(embedding).default_value) return constant_expression(*computed);
+  return literal(*modeler.embeddings[embedding].default_value);
 }
 
 }  // namespace jrule::cpp

@@ -14,4 +14,9 @@ enum class Where { at_hooks, in_loop };
 /// The expression, fit to stand as an argument or behind `=` or `return`.
 std::string expression(ir::Expr const& expr, Function const& f, Where where);
 
+/// The same for a default that calls extern functions: an expression that reads nothing.
+std::string constant_expression(ir::Expr const& expr);
+/// The default of an embedding that has one.
+std::string default_value(ir::Modeler const& modeler, std::size_t embedding);
+
 }  // namespace jrule::cpp

@@ -37,7 +37,7 @@ Function::Function(Rule const& accepted, source::Sources const& files, PublicNam
   size = scope.take("n");
   index = scope.take("k");
   for (char const* name :
-       {"at", "to", "expected", "u", "added", "generators", "matches", "twice", "commit", "orbit", "applied"})
+       {"at", "to", "expected", "u", "added", "generators", "matches", "twice", "commit", "orbit", "applied", "trial"})
     locals[name] = scope.take(name);
   for (ir::Let const& let : rule.lets) lets.push_back(scope.take(let.name));
 
@@ -80,7 +80,7 @@ void Function::name_values() {
       std::string const& first = firsts[generators] = scope.take(name);
       locals[first + "_by"] = scope.take(first + "_by");
     }
-    uses_embedding[component.embedding] = true;
+    if (component.kind != Kind::merge || !merges_on_trial(component.embedding)) uses_embedding[component.embedding] = true;
     if (component.kind == Kind::fresh || component.kind == Kind::assign) {
       adds_values[component.embedding] = true;
       if (component.clause) use(*rule.clauses[*component.clause].value);
@@ -130,6 +130,9 @@ void Function::use(ir::Expr const& expr) {
     void operator()(ir::Apply const& a) const {
       for (ir::ExprPtr const& argument : a.arguments) f.use(*argument);
     }
+    void operator()(ir::Call const& c) const {
+      for (ir::ExprPtr const& argument : c.arguments) f.use(*argument);
+    }
     void operator()(ir::Conditional const& c) const {
       f.use(*c.condition);
       f.use(*c.then_value);
@@ -167,6 +170,19 @@ std::string Function::dart(ir::NodeId id, Word const& word) const { return fmt::
 std::string Function::first(analysis::OrbitComponent const& component) const {
   auto const found = firsts.find(visited_orbits(component));
   return found == firsts.end() ? "" : found->second;
+}
+
+bool Function::merges_on_trial(std::size_t embedding) const {
+  if (spec(embedding).merge != MergePolicy::function) return false;
+  return std::any_of(plan.orbits.begin(), plan.orbits.end(),
+                     [&](auto const& c) { return c.embedding == embedding && c.kind == Kind::merge; });
+}
+
+bool Function::merges_on_trial() const {
+  for (std::size_t e = 0; e < embeddings.size(); ++e) {
+    if (merges_on_trial(e)) return true;
+  }
+  return false;
 }
 
 std::string Function::loop() const { return fmt::format("for (std::size_t {0} = 0; {0} < {1}; ++{0})", index, size); }

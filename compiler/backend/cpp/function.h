@@ -62,6 +62,9 @@ struct Function {
   std::string at(Word const& word) const;
   /// The column of the pattern's orbits that the component needs; empty if each dart is its own.
   std::string first(analysis::OrbitComponent const& component) const;
+  /// Does merging orbits of that embedding, or of any, call a function that may throw?
+  bool merges_on_trial(std::size_t embedding) const;
+  bool merges_on_trial() const;
   /// "for (std::size_t k = 0; k < n; ++k)".
   std::string loop() const;
 

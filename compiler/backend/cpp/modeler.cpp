@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "compiler/backend/cpp/expression.h"
 #include "compiler/backend/cpp/names.h"
 #include "compiler/backend/cpp/text.h"
 #include "compiler/backend/cpp/writer.h"
@@ -22,13 +23,50 @@ std::string model_expression(Model const& model) {
                      fmt::join(model.dimensions, ", "), model.oriented, fmt::join(pairs, ", "), model.closed);
 }
 
-std::string spec_expression(EmbeddingSpec const& spec) {
-  static constexpr std::string_view policies[] = {"none", "first", "mean", "min", "max"};
-  return fmt::format(
-      "{{{}, {}, jrule::Type::{}, {}, jrule::MergePolicy::{}}}", literal(spec.name), orbit_expression(spec.orbit),
-      to_string(spec.type),
+void write_externs(Writer& out, ir::EmbeddingExterns const& externs, std::string const& type) {
+  if (externs.type) {
+    out.line("&jrule::make_pool<{}>,", type);
+  } else {
+    out.line("nullptr,");
+  }
+  if (externs.default_value) {
+    out.open("[](jrule::Embedding& embedding) {{");
+    out.line("return jrule::rewrite::add<{}>(embedding, {});", type, constant_expression(*externs.default_value));
+    out.close("},");
+  } else {
+    out.line("nullptr,");
+  }
+  if (!externs.merge) {
+    out.line("nullptr,");
+    return;
+  }
+  // A lambda, since the function may be one of several of its name.
+  bool const pairwise = externs.merge->parameters.size() == 2;
+  out.open("[](jrule::Embedding& embedding, std::span<jrule::Handle const> parts) {{");
+  out.line("auto const merge = [](auto const&{}) {{ return ::{}({}); }};", pairwise ? " a, auto const& b" : " list",
+           externs.merge->cpp_name, pairwise ? "a, b" : "list");
+  out.line("return jrule::rewrite::{}<{}>(embedding, parts, merge);", pairwise ? "add_folded" : "add_merged_list", type);
+  out.close("},");
+}
+
+void write_spec(Writer& out, ir::Modeler const& modeler, std::size_t e) {
+  static constexpr std::string_view policies[] = {"none", "first", "mean", "min", "max", "function"};
+  EmbeddingSpec const& spec = modeler.embeddings[e];
+  ir::EmbeddingExterns const externs = modeler.externs_of(e);
+  std::string const known = fmt::format(
+      "{{{}, {}, jrule::Type::{}, {}, jrule::MergePolicy::{}", literal(spec.name), orbit_expression(spec.orbit),
+      spec.type == Type::Extern ? "Extern" : to_string(spec.type),
       spec.default_value ? fmt::format("jrule::Value({})", literal(*spec.default_value)) : "std::nullopt",
       policies[static_cast<std::size_t>(spec.merge)]);
+  if (!externs.type && !externs.default_value && !externs.merge) {
+    out.text(known + "},");
+    return;
+  }
+  out.open("{}, {},", known, literal(spec.extern_name));
+  out.open("{{");
+  write_externs(out, externs, type_name(modeler.value_type(e)));
+  out.close("}");
+  out.close("},");
 }
 
 void check_names(ir::Modeler const& modeler, std::string const& class_name, source::Diagnostics& diagnostics) {
@@ -52,17 +90,26 @@ void check_names(ir::Modeler const& modeler, std::string const& class_name, sour
 
 void write_accessors(Writer& out, ir::Modeler const& modeler, std::size_t e) {
   EmbeddingSpec const& spec = modeler.embeddings[e];
-  std::string const type = type_name(spec.type);
+  ir::ExprType const value_type = modeler.value_type(e);
+  std::string const type = type_name(value_type);
+  bool const is_extern = value_type.external != nullptr;
   out.line();
   if (e < modeler.embedding_docs.size()) {
     for (std::string const& line : documentation(modeler.embedding_docs[e]))
       out.text(line.empty() ? "///" : "/// " + line);
   }
-  out.line("/// The value of the {}-orbit of a dart.", jrule::to_string(spec.orbit));
-  out.line("{0} {1}(jrule::Dart dart) const {{ return jrule::rewrite::Values<{0}>(map_.embedding({2}))[dart]; }}", type,
-           spec.name, e);
+  out.line("/// The value of the {}-orbit of a dart{}.", jrule::to_string(spec.orbit),
+           is_extern ? "; valid until a value is set or a rule applied" : "");
+  out.line("{0} {1}(jrule::Dart dart) const {{ return jrule::rewrite::Values<{2}>(map_.embedding({3}))[dart]; }}",
+           is_extern ? fmt::format("jrule::rewrite::Read<{}>", type) : type, spec.name, type, e);
   out.line("/// Gives the whole {}-orbit of a dart a new value. May throw std::bad_alloc; then nothing has changed.",
            jrule::to_string(spec.orbit));
+  if (is_extern) {
+    out.open("void set_{}(jrule::Dart dart, {} value) {{", spec.name, type);
+    out.line("jrule::rewrite::set_extern_value<{}>(map_, {}, dart, std::move(value), workspace_);", type, e);
+    out.close();
+    return;
+  }
   out.line(
       "void set_{}(jrule::Dart dart, {} value) {{ jrule::rewrite::set_value(map_, {}, dart, value, workspace_); }}",
       spec.name, type, e);
@@ -75,7 +122,7 @@ void write_statics(Writer& out, ir::Modeler const& modeler, std::string const& n
   } else {
     out.open("static std::vector<jrule::EmbeddingSpec> embeddings() {{");
     out.open("return {{");
-    for (EmbeddingSpec const& spec : modeler.embeddings) out.line("{},", spec_expression(spec));
+    for (std::size_t e = 0; e < modeler.embeddings.size(); ++e) write_spec(out, modeler, e);
     out.close("};");
     out.close();
   }

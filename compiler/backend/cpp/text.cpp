@@ -17,9 +17,23 @@ std::string type_name(Type type) {
     case Type::Vec3:
     case Type::Point2:
     case Type::Point3:
-    case Type::Color: break;
+    case Type::Color:
+    case Type::Extern: break;
   }
   return "jrule::" + to_string(type);
+}
+
+std::string type_name(ir::ExprType const& type) {
+  std::string const element = type.dart       ? "jrule::Dart"
+                              : type.external ? "::" + type.external->cpp_name
+                                              : type_name(type.element);
+  if (!type.list) return element;
+  // A list of Bool is a list of bytes.
+  return fmt::format("std::vector<{}>", type == ir::ExprType{Type::Bool, true} ? "std::uint8_t" : element);
+}
+
+std::string parameter_type(ir::ExprType const& type) {
+  return type_name(type) + (type.list || type.external ? " const&" : "");
 }
 
 std::string literal(double value) {

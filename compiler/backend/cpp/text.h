@@ -10,8 +10,12 @@
 
 namespace jrule::cpp {
 
-/// "double", "std::int64_t", "jrule::Point3".
+/// "double", "std::int64_t", "jrule::Point3". Not of Type::Extern.
 std::string type_name(Type type);
+/// The same, "::geo::Soil" for an extern type, and "std::vector<double>" for a list.
+std::string type_name(ir::ExprType const& type);
+/// As a parameter: an extern type and a list are passed as references to constants.
+std::string parameter_type(ir::ExprType const& type);
 /// A C++ expression of that type: "0.5", "std::int64_t{3}", "jrule::Point3{0.0, 1.0, 0.0}".
 std::string literal(Value const& value);
 std::string literal(double value);

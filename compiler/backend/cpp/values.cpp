@@ -13,18 +13,12 @@ using Kind = analysis::OrbitComponent::Kind;
 
 namespace {
 
-std::string declared_type(ir::ExprType const& type) {
-  if (type.dart) return "jrule::Dart";  // no `let` holds a list of them
-  if (!type.list) return type_name(type.element);
-  return fmt::format("std::vector<{}>", type.element == Type::Bool ? "std::uint8_t" : type_name(type.element));
-}
-
 void write_views(Writer& out, Function const& f) {
   for (auto const& [type, name] : f.orbit_types) {
     out.line("static jrule::OrbitType const {} = {};", name, orbit_expression(type));
   }
   for (std::size_t e = 0; e < f.embeddings.size(); ++e) {
-    std::string const type = type_name(f.spec(e).type);
+    std::string const type = type_name(f.rule.modeler->value_type(e));
     if (f.reads_embedding[e]) out.line("jrule::rewrite::Values<{}> const {}({});", type, f.values[e], f.embeddings[e]);
     if (f.adds_values[e]) out.line("jrule::rewrite::NewValues<{}> {}({});", type, f.new_values[e], f.embeddings[e]);
   }
@@ -34,7 +28,7 @@ void write_conditions(Writer& out, Function const& f) {
   for (std::size_t i = 0; i < f.rule.lets.size(); ++i) {
     ir::Expr const& value = *f.rule.lets[i].value;
     out.line("// {}", place(f.sources, value.span));
-    out.line("{}{} const {} = {};", f.uses_let[i] ? "" : "[[maybe_unused]] ", declared_type(value.type), f.lets[i],
+    out.line("{}{} const {} = {};", f.uses_let[i] ? "" : "[[maybe_unused]] ", type_name(value.type), f.lets[i],
              expression(value, f, Where::at_hooks));
   }
   for (ir::ExprPtr const& requirement : f.rule.requirements) {
@@ -120,7 +114,7 @@ void write_component(Writer& out, Function const& f, std::size_t c) {
       if (!component.clause) {
         out.line("// {}: {}.{} by default", where, root.name, spec.name);
         out.line("jrule::Handle const {} = {}.add({});", f.handles[c], f.new_values[component.embedding],
-                 literal(*spec.default_value));
+                 default_value(*f.rule.modeler, component.embedding));
         return;
       }
       [[fallthrough]];

@@ -3,38 +3,64 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
+#include "jrule/extern_pool.h"
 #include "jrule/value.h"
 #include "jrule/word.h"
 
 namespace jrule {
 
-/// What the value of a merged orbit is when no clause gives it.
-enum class MergePolicy : std::uint8_t { none, first, mean, min, max };
+class Embedding;
+
+/// What the value of a merged orbit is when no clause gives it; `function`: what a function of C++ makes of them.
+enum class MergePolicy : std::uint8_t { none, first, mean, min, max, function };
+
+/// What of an embedding is C++ from outside, as generated code gives it; null what is not.
+struct ExternParts {
+  /// Of Type::Extern, and of no other type: `make_pool<T>`, T being the type of the values.
+  std::unique_ptr<ExternPool> (*make_pool)() = nullptr;
+  /// Adds the default value. May throw anything, and then adds nothing.
+  Handle (*add_default)(Embedding& embedding) = nullptr;
+  /// Of MergePolicy::function: adds what the values of two parts or more are merged to. May throw anything, and then adds
+  /// nothing.
+  Handle (*add_merged)(Embedding& embedding, std::span<Handle const> parts) = nullptr;
+};
 
 /// `embedding name : <orbit> -> type { default …; merge …; }`
 struct EmbeddingSpec {
   std::string name;
   OrbitType orbit;
   Type type = Type::Real;
-  std::optional<Value> default_value;
+  std::optional<Value> default_value{};
   MergePolicy merge = MergePolicy::none;
-  bool operator==(EmbeddingSpec const&) const = default;
+  std::string extern_name{};  ///< of Type::Extern, the C++ type: "geo::Soil"
+  ExternParts extern_parts{};
+  /// Do they declare the same? The functions are not compared: those of one embedding are the same in one program.
+  bool operator==(EmbeddingSpec const& other) const {
+    return name == other.name && orbit == other.orbit && type == other.type && default_value == other.default_value &&
+           merge == other.merge && extern_name == other.extern_name;
+  }
 };
-
-using Handle = std::uint32_t;
-inline constexpr Handle no_handle = 0xffffffffU;
 
 class Embedding {
  public:
   /// Throws std::invalid_argument if the default is of another type or the type does not offer the merge policy: `mean`
-  /// is of Real, vectors, points and colours, `min` and `max` of Int and Real.
+  /// is of Real, vectors, points and colours, `min` and `max` of Int and Real. Also if extern parts are missing: the pool
+  /// of Type::Extern, the function of MergePolicy::function.
   explicit Embedding(EmbeddingSpec spec);
+  /// Copies the values; those of a C++ type from outside may throw what they like.
+  Embedding(Embedding const& other);
+  Embedding& operator=(Embedding const& other);
+  Embedding(Embedding&&) noexcept = default;
+  Embedding& operator=(Embedding&&) noexcept = default;
+  ~Embedding() = default;
 
   EmbeddingSpec const& spec() const noexcept { return spec_; }
   Handle handle(std::uint32_t dart) const noexcept { return handles_[dart]; }
@@ -45,31 +71,49 @@ class Embedding {
   void reserve(std::size_t darts) { handles_.reserve(darts); }
 
   std::size_t value_count() const noexcept;
-  /// Adds a value of the embedding's type; strong guarantee; noexcept once reserved.
+  /// Adds a value of the embedding's type; strong guarantee; noexcept once reserved. Type::Extern has no jrule::Value: see
+  /// rewrite::add() of typed.h.
   Handle add(Value const& value);
+  /// Adds the default value; none if there is no default. May throw what a default that is computed by C++ throws.
+  std::optional<Handle> add_default();
   /// Room for so many further values: adding them does not throw. May throw std::bad_alloc, std::length_error.
   void reserve_values(std::size_t count);
   /// Keeps the first `count` values: undoes add().
   void truncate_values(std::size_t count) noexcept;
+  /// Not of Type::Extern.
   Value value(Handle h) const noexcept;
-  /// The values themselves, T being the C++ type of `spec().type`.
+  /// The values themselves, T being Stored<the C++ type of `spec().type`>, of Type::Extern the type that its name says.
   template <class T>
-  std::vector<T> const& values() const { return std::get<std::vector<T>>(pool_); }
+  std::vector<T> const& values() const { return values_of<T>(*this); }
   template <class T>
-  std::vector<T>& values() { return std::get<std::vector<T>>(pool_); }
+  std::vector<T>& values() { return values_of<T>(*this); }
   /// Drops the values that no dart refers to and renumbers the rest in the order of the darts. O(darts + values).
   void compact();
 
-  /// The value of a merged orbit by the embedding's policy (not `none`) from its parts' values; one part or more, in the
-  /// order of the darts that bring them.
+  /// The value of a merged orbit by the embedding's policy (`first`, `mean`, `min` or `max`; not of Type::Extern) from its
+  /// parts' values; one part or more, in the order of the darts that bring them.
   Value merge(std::span<Handle const> parts) const noexcept;
 
  private:
+  using Pool = std::variant<std::vector<std::uint8_t>, std::vector<std::int64_t>, std::vector<double>, std::vector<Vec2>,
+                            std::vector<Vec3>, std::vector<Point2>, std::vector<Point3>, std::vector<Color>>;
+  template <class T>
+  static constexpr bool is_pooled = std::is_constructible_v<Pool, std::in_place_type_t<std::vector<T>>>;
+
+  // Of the embedding, const or not. A type from outside may be another name of a type of the language.
+  template <class T, class Self>
+  static auto& values_of(Self& self) {
+    if constexpr (is_pooled<T>) {
+      if (!self.extern_pool_) return std::get<std::vector<T>>(self.pool_);
+    }
+    auto& pool = *self.extern_pool_;
+    return static_cast<std::conditional_t<std::is_const_v<Self>, PoolOf<T> const, PoolOf<T>>&>(pool).values;
+  }
+
   EmbeddingSpec spec_;
   std::vector<Handle> handles_;
-  std::variant<std::vector<std::uint8_t>, std::vector<std::int64_t>, std::vector<double>, std::vector<Vec2>, std::vector<Vec3>,
-               std::vector<Point2>, std::vector<Point3>, std::vector<Color>>
-      pool_;
+  Pool pool_;
+  std::unique_ptr<ExternPool> extern_pool_;  ///< of Type::Extern, whose pool_ stays empty
 };
 
 }  // namespace jrule

@@ -21,7 +21,10 @@ namespace jrule {
 /// Darts are numbered in the order of the file: of face f with n corners, darts first + 2k and first + 2k + 1 (G-maps) are
 /// the two ends of its k-th edge; first + k (O-maps) is its k-th edge. So equal files give equal maps.
 ///
-/// .jmap must name the same model and dimension; embeddings are taken by name, missing ones get their defaults.
+/// .jmap must name the same model and dimension; embeddings are taken by name, missing ones get their defaults. It cannot
+/// hold values of Type::Extern: a file that has them by the embedding's name is an error.
+///
+/// A default that is computed by C++ is computed once; what it throws is passed on.
 Result<Map> read_map(std::string const& path, Model const& model, std::vector<EmbeddingSpec> const& embeddings);
 
 /// Reads a .jmap with the model and the embeddings that it names itself. Its orbit types follow each embedding's type.
@@ -29,11 +32,12 @@ Result<Map> read_jmap(std::string const& path);
 /// The same from text; `path` is for messages only.
 Result<Map> parse_jmap(std::string_view text, std::string const& path);
 /// The canonical .jmap text: live darts renumbered 0.. in index order, values in the order of the first dart that has them.
+/// Throws std::invalid_argument if the map has an embedding of Type::Extern.
 std::string print_jmap(Map const& map);
 
 /// Writes by suffix; the file appears whole or not at all (a temporary file beside it is renamed). Surface formats write
 /// every 2-cell once (in O-maps, outer faces are faces like all others) and need an embedding of type Point3 on vertices; .stl cuts n-gons into
-/// triangles. Numbers are written so that they read back exactly (.stl: as float).
+/// triangles. .jmap refuses a map with an embedding of Type::Extern, the others leave it out. Numbers are written so that they read back exactly (.stl: as float).
 Result<void> write_map(Map const& map, std::string const& path);
 
 /// Writes a file that appears whole or not at all: a temporary file beside it is renamed.

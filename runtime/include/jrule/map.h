@@ -53,6 +53,9 @@ class Map {
   /// Adds darts whose arcs are all loops and that have no values; returns them. Reuses erased indices, the smallest
   /// first, then appends. Strong guarantee; throws std::bad_alloc, or std::length_error past 2^32 - 2 darts.
   std::vector<Dart> add_darts(std::size_t count);
+  /// Undoes the last add_darts(): `added` is what it returned, `limit` what dart_limit() was before. Nothing may refer to
+  /// the darts any more.
+  void undo_add(std::span<Dart const> added, Dart limit) noexcept;
   /// Erases a dart. No arc of a live dart may lead to it when the caller is done. noexcept once `reserve_erase` has
   /// made room.
   void erase(Dart d);
@@ -66,6 +69,12 @@ class Map {
     Column& c = columns_[index_[dimension]];
     c.targets[from] = to;
     if (!c.sources.empty()) c.sources[to] = from;
+  }
+  /// Undoes set_target(from, dimension, to), given the target of `from` and the source of `to` before it.
+  void undo_target(Dart from, int dimension, Dart to, Dart old_target, Dart old_source) noexcept {
+    Column& c = columns_[index_[dimension]];
+    if (!c.sources.empty()) c.sources[to] = old_source;
+    c.targets[from] = old_target;
   }
 
   /// Embeddings in the order of their declaration.

@@ -84,8 +84,12 @@ std::span<Dart const> collect_orbit(Map const& map, OrbitType const& type, Dart 
 /// Commit: gives the whole orbit of `d` the value, unless its darts are marked (another representative came first).
 void assign_orbit(Map& map, std::size_t embedding, Dart d, Handle value, Workspace& workspace) noexcept;
 /// Commit: if the orbit of `d` holds several values or darts without one, gives it one: the only value, or the merge by the
-/// embedding's policy. `reserve_values` must have made room for one value.
+/// embedding's policy, which is not MergePolicy::function (see trial.h). `reserve_values` must have made room for one value.
 void merge_orbit(Map& map, std::size_t embedding, Dart d, Workspace& workspace) noexcept;
+
+/// The values that these darts have, each once, in the order of the darts. Is there nothing to merge: no value at all, or
+/// one that every dart has? `parts` must have room for them.
+bool collect_values(Embedding const& embedding, std::span<Dart const> darts, std::vector<Handle>& parts) noexcept;
 
 /// One dart for each ⟨by⟩-orbit inside ⟨type⟩(d): the darts of orbit() that are the first of their ⟨by⟩-orbit, in its order.
 /// ⟨by⟩ must be a subgroup of ⟨type⟩. O(orbit · words).

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <type_traits>
@@ -13,16 +14,25 @@
 
 namespace jrule::rewrite {
 
-/// How a pool stores values of type T: a bool as a byte.
+/// How a value is read: those of the language by value, others in place, valid until the embedding changes.
 template <class T>
-using Stored = std::conditional_t<std::is_same_v<T, bool>, std::uint8_t, T>;
+using Read = std::conditional_t<std::is_constructible_v<Value, std::in_place_type_t<T>>, T, T const&>;
+
+/// Adds a value; strong guarantee.
+template <class T>
+Handle add(Embedding& embedding, T value) {
+  std::vector<Stored<T>>& pool = embedding.values<Stored<T>>();
+  if (pool.size() >= no_handle - 1) throw std::length_error("too many values");
+  pool.push_back(std::move(value));
+  return static_cast<Handle>(pool.size() - 1);
+}
 
 /// The values of an embedding by dart, T being the C++ type of its values. Valid until the embedding changes.
 template <class T>
 class Values {
  public:
   explicit Values(Embedding const& embedding) : handles_(embedding.handles()), pool_(embedding.values<Stored<T>>()) {}
-  T operator[](Dart d) const { return static_cast<T>(pool_[handles_[d]]); }
+  Read<T> operator[](Dart d) const { return static_cast<Read<T>>(pool_[handles_[d]]); }
   /// Those over ⟨type⟩(d), one for each ⟨by⟩-orbit inside, in the order of orbit().
   std::vector<Stored<T>> over(Map const& map, OrbitType const& type, OrbitType const& by, Dart d) const {
     std::vector<Stored<T>> list;
@@ -49,17 +59,17 @@ class NewValues {
  public:
   explicit NewValues(Embedding& embedding) : embedding_(embedding), base_(embedding.value_count()) {}
   /// The handle that the value will have.
-  Handle add(T const& value) {
+  Handle add(T value) {
     std::size_t const handle = base_ + values_.size();
     if (handle >= no_handle) throw std::length_error("too many values");
-    values_.push_back(value);
+    values_.push_back(std::move(value));
     return static_cast<Handle>(handle);
   }
   /// Room in the embedding for these values and `more`.
   void reserve(std::size_t more = 0) { embedding_.reserve_values(values_.size() + more); }
   void commit() noexcept {
     std::vector<Stored<T>>& pool = embedding_.values<Stored<T>>();
-    pool.insert(pool.end(), values_.begin(), values_.end());
+    for (Stored<T>& value : values_) pool.push_back(std::move(value));
   }
 
  private:
@@ -67,6 +77,34 @@ class NewValues {
   std::size_t base_;
   std::vector<Stored<T>> values_;
 };
+
+/// Gives the whole orbit of `d` a new value; strong guarantee. Not part of a rule: for programs that change values by hand.
+template <class T>
+void set_extern_value(Map& map, std::size_t embedding, Dart d, T value, Workspace& workspace) {
+  workspace.reserve(map.dart_limit());
+  workspace.clear_marks();
+  assign_orbit(map, embedding, d, add<T>(map.embedding(embedding), std::move(value)), workspace);
+}
+
+/// For ExternParts::add_merged: the values merged two at a time, `merge(merge(a, b), c)`, and all at once, `merge({a, b, c})`.
+template <class T, class Merge>
+Handle add_folded(Embedding& embedding, std::span<Handle const> parts, Merge merge) {
+  std::vector<Stored<T>> const& pool = embedding.values<Stored<T>>();
+  std::optional<T> merged(static_cast<T>(pool[parts[0]]));  // optional: T need not be assignable
+  for (Handle const part : parts.subspan(1)) {
+    T next = merge(std::as_const(*merged), static_cast<Read<T>>(pool[part]));
+    merged.emplace(std::move(next));
+  }
+  return add<T>(embedding, std::move(*merged));
+}
+template <class T, class Merge>
+Handle add_merged_list(Embedding& embedding, std::span<Handle const> parts, Merge merge) {
+  std::vector<Stored<T>> const& pool = embedding.values<Stored<T>>();
+  std::vector<Stored<T>> list;
+  list.reserve(parts.size());
+  for (Handle const part : parts) list.push_back(pool[part]);
+  return add<T>(embedding, merge(std::as_const(list)));
+}
 
 /// The aggregates of lists of Bool, which are lists of bytes.
 inline bool all(std::span<std::uint8_t const> list) {

@@ -18,19 +18,20 @@ struct Point3 { double x = 0, y = 0, z = 0; bool operator==(Point3 const&) const
 /// Red, green, blue, each usually in 0..1.
 struct Color { double r = 0, g = 0, b = 0; bool operator==(Color const&) const = default; };
 
-enum class Type : std::uint8_t { Bool, Int, Real, Vec2, Vec3, Point2, Point3, Color };
-/// One alternative for each Type, in the same order.
+/// Extern: a C++ type from outside, of which there is no Value.
+enum class Type : std::uint8_t { Bool, Int, Real, Vec2, Vec3, Point2, Point3, Color, Extern };
+/// One alternative for each Type but Extern, in the same order.
 using Value = std::variant<bool, std::int64_t, double, Vec2, Vec3, Point2, Point3, Color>;
 
 inline Type type_of(Value const& value) noexcept { return static_cast<Type>(value.index()); }
-/// "Bool", "Point3", …
+/// "Bool", "Point3", …; "extern".
 std::string to_string(Type type);
 /// As the language spells it and reads back exactly: "0.5", "Point3(0, 1, 0)".
 std::string to_string(Value const& value);
-/// How many numbers a value has: 1, 2 or 3.
+/// How many numbers a value has: 1, 2 or 3; 0 for Extern.
 int component_count(Type type) noexcept;
 double component(Value const& value, int index) noexcept;
-/// The value of that type from its components, `component_count(type)` of them. Bool: neither zero nor NaN; Int:
+/// The value of that type, not Extern, from its components, `component_count(type)` of them. Bool: neither zero nor NaN; Int:
 /// rounded, halves away from zero, and held to the range of Int, NaN to 0.
 Value from_components(Type type, std::span<double const> components) noexcept;
 

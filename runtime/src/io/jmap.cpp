@@ -17,6 +17,7 @@
 //
 // The orbit type of points may be left out: those of a file that says nothing else are on vertices.
 #include <cmath>
+#include <stdexcept>
 #include <unordered_map>
 
 #include <fmt/format.h>
@@ -350,6 +351,10 @@ void append_value(fmt::memory_buffer& out, Value const& value) {
   }
 }
 
+std::string cannot_hold(EmbeddingSpec const& spec) {
+  return fmt::format("the embedding '{}' has the C++ type {}, which .jmap cannot hold", spec.name, spec.extern_name);
+}
+
 }  // namespace
 
 Result<Map> parse_jmap(std::string_view text, std::string const& path) {
@@ -405,6 +410,7 @@ std::string print_jmap(Map const& map) {
 
   for (std::size_t i = 0; i < map.embedding_count(); ++i) {
     Embedding const& e = map.embedding(i);
+    if (e.spec().type == Type::Extern) throw std::invalid_argument(cannot_hold(e.spec()));
     // Equal values are one, so that the text does not depend on which handles the orbits happen to share.
     constexpr std::uint32_t unset = 0xffffffffU;
     std::vector<std::uint32_t> index_of_handle(e.value_count(), unset);
@@ -461,6 +467,7 @@ Result<Map> parse_jmap_as(std::string_view text, std::string const& file, Model 
     }
     columns.push_back(found);
     if (found == nullptr) continue;
+    if (spec.type == Type::Extern) return bad_input(cannot_hold(spec), file, found->line);
     if (found->type != spec.type) {
       return bad_input(fmt::format("embedding '{}' has type {}, expected {}", spec.name, to_string(found->type),
                                    to_string(spec.type)),
@@ -478,6 +485,7 @@ Result<Map> parse_jmap_as(std::string_view text, std::string const& file, Model 
 Result<std::string> print_checked_jmap(Map const& map) {
   for (std::size_t i = 0; i < map.embedding_count(); ++i) {
     Embedding const& e = map.embedding(i);
+    if (e.spec().type == Type::Extern) return fail(Error::Kind::bad_input, cannot_hold(e.spec()));
     for (Dart d : map.darts()) {
       Handle const h = e.handle(d);
       if (h >= e.value_count()) {

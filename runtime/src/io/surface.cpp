@@ -280,12 +280,12 @@ Result<Map> make_map(Model const& model, std::vector<EmbeddingSpec> const& embed
 
 Result<void> set_default(Map& map, std::size_t embedding, std::string const& file) {
   Embedding& e = map.embedding(embedding);
-  if (!e.spec().default_value) {
+  auto const handle = e.add_default();
+  if (!handle) {
     return fail(Error::Kind::bad_input,
                 fmt::format("the file has no values of embedding '{}', which has no default", e.spec().name), file);
   }
-  Handle const handle = e.add(*e.spec().default_value);
-  for (Dart d = 0; d < map.dart_limit(); ++d) e.set_handle(d, handle);
+  for (Dart d = 0; d < map.dart_limit(); ++d) e.set_handle(d, *handle);
   return {};
 }
 

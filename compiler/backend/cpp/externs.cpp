@@ -1,0 +1,90 @@
+#include "compiler/backend/cpp/externs.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "compiler/backend/cpp/names.h"
+
+namespace jrule::cpp {
+
+namespace {
+
+struct Headers {
+  std::set<std::string>& headers;
+  source::Diagnostics& diagnostics;
+
+  // An ir::ExternType or ir::ExternFunction.
+  template <class Extern>
+  void add(Extern const& declared, std::string_view what) {
+    headers.insert(declared.header);
+    for (std::string_view rest = declared.cpp_name; !rest.empty();) {
+      std::size_t const end = rest.find("::");
+      std::string_view const part = rest.substr(0, end);
+      if (std::string_view const why = unusable(part); !why.empty()) {
+        diagnostics.add({.code = source::Code::name_not_usable_in_cpp,
+                         .span = declared.span,
+                         .message = fmt::format("the extern {} `{}` cannot be `{}` in C++: `{}` {}", what, declared.name,
+                                                declared.cpp_name, part, why)});
+      }
+      rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 2);
+    }
+  }
+
+  void add(ir::ExprType const& type) {
+    if (type.external) add(*type.external, "type");
+  }
+
+  void add(ir::ExprPtr const& expr) {
+    if (expr) std::visit([&](auto const& node) { add_node(node); }, expr->value);
+  }
+  void add_node(ir::Apply const& a) {
+    for (ir::ExprPtr const& argument : a.arguments) add(argument);
+  }
+  void add_node(ir::Call const& c) {
+    add(*c.function, "function");
+    for (ir::ExprPtr const& argument : c.arguments) add(argument);
+  }
+  void add_node(ir::Conditional const& c) {
+    add(c.condition);
+    add(c.then_value);
+    add(c.else_value);
+  }
+  void add_node(ir::ForEach const& f) { add(f.element); }
+  void add_node(ir::Constant const&) {}
+  void add_node(ir::ParameterRef const&) {}
+  void add_node(ir::LetRef const&) {}
+  void add_node(ir::NodeDart const&) {}
+  void add_node(ir::Bound const&) {}
+  void add_node(ir::Walk const&) {}
+  void add_node(ir::Darts const&) {}
+  void add_node(ir::ValueAt const&) {}  // its type is the modeler's
+  void add_node(ir::Collect const&) {}
+};
+
+}  // namespace
+
+void add_headers(ir::Modeler const& modeler, std::set<std::string>& headers, source::Diagnostics& diagnostics) {
+  Headers result{headers, diagnostics};
+  for (ir::EmbeddingExterns const& externs : modeler.externs) {
+    if (externs.type) result.add(*externs.type, "type");
+    if (externs.merge) result.add(*externs.merge, "function");
+    result.add(externs.default_value);
+  }
+}
+
+void add_headers(ir::RuleScheme const& rule, std::set<std::string>& headers, source::Diagnostics& diagnostics) {
+  Headers result{headers, diagnostics};
+  for (ir::Parameter const& p : rule.parameters) {
+    result.add(p.value_type());
+    result.add(p.computed_default);
+  }
+  for (ir::Let const& let : rule.lets) {
+    result.add(let.value->type);
+    result.add(let.value);
+  }
+  for (ir::ExprPtr const& requirement : rule.requirements) result.add(requirement);
+  for (ir::Clause const& clause : rule.clauses) result.add(clause.value);
+}
+
+}  // namespace jrule::cpp
