@@ -205,5 +205,35 @@ TEST_F(Commands, UsageErrors) {
   }
 }
 
+TEST_F(Commands, RulesWithCppFromOutsideAreNotApplied) {
+  file("land.jrule",
+       "extern type Soil in \"soil.hpp\" as \"geo::Soil\";\n"
+       "extern fn low() -> Real in \"soil.hpp\" as \"geo::low\";\n"
+       "modeler Land on gmap(2) { embedding soil : face -> Soil; }\n"
+       "modeler Surface on gmap(2) { embedding height : vertex -> Real; }\n"
+       "rule keep on Land { left { hook a <0,1>; } right { a; } }\n"
+       "rule sink on Surface { left { hook a <1,2>; } right { a { height = low(); } } }\n"
+       "rule raise on Surface { left { hook a <1,2>; } right { a { height = 1; } } }\n");
+  EXPECT_EQ(jrule({"check", "land.jrule"}).output, "land.jrule: 3 rules accepted\n");
+  for (char const* stage : {"ast", "ir", "dot", "certificate", "cpp"}) EXPECT_EQ(jrule({"emit", stage, "land.jrule"}).exit_status, 0) << stage;
+
+  Outcome const keep = jrule({"apply", "land.jrule:keep", "--in", demo("square.off"), "--out", "out.off"});
+  EXPECT_EQ(keep.exit_status, 1);
+  EXPECT_EQ(keep.output,
+            "land.jrule:3:37: error: `keep` cannot be applied here: the embedding `soil` has the extern type `Soil` [J0903]\n"
+            "1 | extern type Soil in \"soil.hpp\" as \"geo::Soil\";\n"
+            "  |             ---- it is C++ from outside\n"
+            "...\n"
+            "3 | modeler Land on gmap(2) { embedding soil : face -> Soil; }\n"
+            "  |                                     ^^^^\n"
+            "  = note: generated C++ can: `jrule emit cpp`, or `jrule_add_rules` in CMake\n");
+  Outcome const sink = jrule({"apply", "land.jrule:sink", "--in", demo("square.off"), "--out", "out.off"});
+  EXPECT_EQ(sink.exit_status, 1);
+  EXPECT_TRUE(contains(sink.output, "land.jrule:6:68: error: `sink` cannot be applied here: `height` of `a` calls the extern function `low` [J0903]\n")) << sink.output;
+  // The file has C++ from outside, this rule has not: only the mesh lacks heights.
+  EXPECT_TRUE(contains(jrule({"apply", "land.jrule:raise", "--in", demo("square.off"), "--out", "out.off"}).output, "the file has no values of embedding 'height'"));
+  EXPECT_EQ(files(), std::vector<std::string>{"land.jrule"});
+}
+
 }  // namespace
 }  // namespace jrule::tests

@@ -307,5 +307,40 @@ rule dart on gmap(1) { left { } right { a; a -0- a; a -1- a; } }
   EXPECT_EQ(emitted.header.find("dart_everywhere"), std::string::npos);
 }
 
+// ---- C++ from outside ----
+
+TEST(Emit, ExternHeadersAndCalls) {
+  Emitted const emitted = emit_module(R"(extern type Soil in "geo/soil.hpp" as "geo::Soil";
+extern fn grass() -> Soil in "geo/grass.hpp" as "geo::grass";
+extern fn wet(soil: Soil, rain: Real) -> Soil in "geo/soil.hpp" as "geo::wet";
+extern fn unused() -> Real in "unused.hpp" as "unused";
+modeler Land on gmap(2) { embedding soil : face -> Soil; }
+rule water(
+    /// in metres
+    rain: Real = 0.5, other: Soil = grass()) on Land {
+  left  { hook a <0,1>; let before = a.soil; }
+  right { a { soil = if rain < 1 then wet(before, rain) else other; } }
+}
+)");
+  EXPECT_TRUE(emitted.problems.empty());
+  expect_contains(emitted.header, "#include \"geo/grass.hpp\"\n#include \"geo/soil.hpp\"\n\n");
+  EXPECT_EQ(emitted.header.find("unused.hpp"), std::string::npos);
+  expect_contains(emitted.header, "/// @param rain  Real, by default 0.5: in metres\n/// @param other  Soil, by default ::geo::grass()\n");
+  expect_contains(emitted.header, "water(Land& land, jrule::Dart a, double rain = 0.5, ::geo::Soil const& other = ::geo::grass());");
+  expect_contains(emitted.code, "::geo::Soil const before = soil_of[a];\n");
+  expect_contains(emitted.code, "rain < 1.0 ? ::geo::wet(before, rain) : other");
+}
+
+TEST(Emit, ExternNamesThatCppCannotUse) {
+  Emitted const emitted = emit_module(R"(extern type Soil in "geo/soil.hpp" as "geo::class";
+extern fn grass() -> Soil in "geo/soil.hpp" as "new::grass";
+modeler Land on gmap(2) { embedding soil : face -> Soil { default grass(); } }
+)");
+  ASSERT_EQ(emitted.problems.size(), 2U);
+  EXPECT_EQ(emitted.problems[0].message, "the extern type `Soil` cannot be `geo::class` in C++: `class` is a keyword of C++");
+  EXPECT_EQ(emitted.problems[1].message, "the extern function `grass` cannot be `new::grass` in C++: `new` is a keyword of C++");
+  EXPECT_EQ(emitted.places, (std::vector<std::string>{"Soil", "grass"}));
+}
+
 }  // namespace
 }  // namespace jrule::cpp

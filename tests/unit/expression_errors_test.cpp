@@ -363,11 +363,11 @@ TEST_F(Expressions, TypeNames) {
   auto const resolve = [&](std::string const& name, bool list = false) {
     diagnostics_ = {};
     auto const file = sources_.add("type.jrule", name);
-    return resolve_type({{name, {file, 0, static_cast<std::uint32_t>(name.size())}}, list}, diagnostics_);
+    return resolve_stored_type({{name, {file, 0, static_cast<std::uint32_t>(name.size())}}, list}, {}, diagnostics_);
   };
   for (Type type :
        {Type::Bool, Type::Int, Type::Real, Type::Vec2, Type::Vec3, Type::Point2, Type::Point3, Type::Color}) {
-    EXPECT_EQ(resolve(to_string(type)), type);
+    EXPECT_EQ(resolve(to_string(type)), one(type));
     EXPECT_TRUE(diagnostics_.all().empty());
   }
   EXPECT_FALSE(resolve("point3"));
@@ -388,7 +388,8 @@ TEST_F(Expressions, MergePolicies) {
   auto const resolve = [&](std::string const& name, Type type) {
     diagnostics_ = {};
     auto const file = sources_.add("merge.jrule", name);
-    return resolve_merge({name, {file, 0, static_cast<std::uint32_t>(name.size())}}, type, diagnostics_);
+    auto const merge = resolve_merge({name, {file, 0, static_cast<std::uint32_t>(name.size())}}, one(type), {}, diagnostics_);
+    return merge ? std::optional(merge->policy) : std::nullopt;
   };
   for (Type type :
        {Type::Bool, Type::Int, Type::Real, Type::Vec2, Type::Vec3, Type::Point2, Type::Point3, Type::Color}) {

@@ -6,14 +6,15 @@
 #include <tuple>
 
 #include "compiler/sema/expressions.h"
+#include "compiler/sema/types.h"
 #include "compiler/syntax/parse.h"
 
 namespace jrule::sema {
 
 using ir::ExprPtr;
 
-inline ir::ExprType one(Type type) { return {type, false, false}; }
-inline ir::ExprType list_of(Type type) { return {type, true, false}; }
+inline ir::ExprType one(Type type) { return {type, false, false, {}}; }
+inline ir::ExprType list_of(Type type) { return {type, true, false, {}}; }
 
 // A rule on 3-G-maps with a name for a value of each type: left nodes `a` and `b`, of which `b` is deleted, and `c`,
 // which is added. The typed tree of an expression in its place, or in a default's where there is no rule.
@@ -112,7 +113,9 @@ class Expressions : public testing::Test {
     diagnostics_ = {};
     ast::ExprPtr const expr = parse(text);
     EXPECT_TRUE(expr) << text;
-    return expr ? evaluate_constant(*expr, type, diagnostics_) : std::nullopt;
+    if (!expr) return {};
+    auto const value = evaluate_default(*expr, one(type), {}, diagnostics_);
+    return value ? value->value : std::nullopt;
   }
   std::string constant_errors(std::string const& text, Type type) {
     EXPECT_FALSE(constant(text, type)) << text;
