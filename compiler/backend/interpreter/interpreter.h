@@ -18,7 +18,7 @@ struct Applied {
 };
 
 /// Applies an accepted rule at these darts, one for each hook, with one value for each parameter. On an error the map is bit
-/// for bit as it was. `workspace` may be used for other maps as well.
+/// for bit as it was. The rule must need no C++ from outside (ir::find_extern_use). `workspace` may be used for other maps as well.
 Result<Applied> apply(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map, std::vector<Dart> const& hooks,
                       std::vector<Value> const& arguments, rewrite::Workspace& workspace);
 
