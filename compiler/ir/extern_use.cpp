@@ -53,8 +53,9 @@ Found use_in(Modeler const& modeler) {
     if (Found use = use_of(externs.type, span, fmt::format("the embedding `{}`", name))) return use;
     if (Found use = use_in(externs.default_value, fmt::format("the default of `{}`", name))) return use;
     if (externs.merge) {
-      return ExternUse{span, fmt::format("the embedding `{}` is merged by the extern function `{}`", name, externs.merge->name),
-                       externs.merge->span};
+      return ExternUse{
+          span, fmt::format("the embedding `{}` is merged by the extern function `{}`", name, externs.merge->name),
+          externs.merge->span};
     }
   }
   return {};
@@ -78,7 +79,8 @@ std::optional<ExternUse> find_extern_use(RuleScheme const& rule) {
   }
   for (Clause const& clause : rule.clauses) {
     std::string const& embedding = rule.modeler->embeddings[clause.embedding].name;
-    if (Found use = use_in(clause.value, fmt::format("`{}` of `{}`", embedding, rule.nodes[clause.node].name))) return use;
+    if (Found use = use_in(clause.value, fmt::format("`{}` of `{}`", embedding, rule.nodes[clause.node].name)))
+      return use;
   }
   return {};
 }

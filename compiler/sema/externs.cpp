@@ -69,9 +69,9 @@ struct Collection {
       report(Code::duplicate_name, item.name.span, fmt::format("`{}` is a type of the language already", name));
       good = false;
     }
-    result.types[name] =
-        good ? std::make_shared<ir::ExternType const>(ir::ExternType{name, item.doc, item.header, item.cpp_name, item.name.span})
-             : nullptr;
+    result.types[name] = good ? std::make_shared<ir::ExternType const>(
+                                    ir::ExternType{name, item.doc, item.header, item.cpp_name, item.name.span})
+                              : nullptr;
   }
 
   void add(ast::ExternFunction const& item) {
@@ -85,12 +85,15 @@ struct Collection {
     for (ast::Parameter const& p : item.parameters) {
       auto const type = resolve_type(p.type, result, diagnostics);
       if (p.default_value) {
-        report(Code::bad_extern, p.default_value->span, fmt::format("`{}` of the extern function `{}` has a default", p.name.text, name),
+        report(Code::bad_extern, p.default_value->span,
+               fmt::format("`{}` of the extern function `{}` has a default", p.name.text, name),
                {"a call of an extern function gives all of its arguments"});
       }
       auto const& known = function.parameters;
-      bool const fresh = std::none_of(known.begin(), known.end(), [&](auto const& other) { return other.name == p.name.text; });
-      if (!fresh) report(Code::duplicate_name, p.name.span, fmt::format("the parameter `{}` is declared twice", p.name.text));
+      bool const fresh =
+          std::none_of(known.begin(), known.end(), [&](auto const& other) { return other.name == p.name.text; });
+      if (!fresh)
+        report(Code::duplicate_name, p.name.span, fmt::format("the parameter `{}` is declared twice", p.name.text));
       good = good && type && !p.default_value && fresh;
       if (type) function.parameters.push_back({p.name.text, *type, p.name.span});
     }

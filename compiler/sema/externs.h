@@ -10,8 +10,8 @@
 
 namespace jrule::sema {
 
-/// Those of all loaded modules by name, as models and rules are found: of several modules, the last one that declares the
-/// name counts. Null where the declaration is wrong, which is reported.
+/// Those of all loaded modules by name, as models and rules are found: of several modules, the last one that declares
+/// the name counts. Null where the declaration is wrong, which is reported.
 struct Externs {
   std::map<std::string, ir::ExternTypePtr> types;
   std::map<std::string, ir::ExternFunctionPtr> functions;
@@ -20,13 +20,13 @@ struct Externs {
   std::vector<std::string> function_names() const;
 };
 
-/// Reports names that the language has already (J0208), types that are not known (J0204), and headers and C++ names that
-/// cannot be ones (J0230).
+/// Reports names that the language has already (J0208), types that are not known (J0204), and headers and C++ names
+/// that cannot be ones (J0230).
 Externs collect_externs(Modules const& modules, source::Diagnostics& diagnostics);
 
-/// The function of the arguments, none of which is null. Null, reported, if their number (J0242) or a type (J0240) is not
-/// the declared one; an Int is taken where a Real is declared.
-ir::ExprPtr call_extern(ir::ExternFunctionPtr function, source::Span name, std::vector<ir::ExprPtr> arguments, source::Span span,
-                        source::Diagnostics& diagnostics);
+/// The function of the arguments, none of which is null. Null, reported, if their number (J0242) or a type (J0240) is
+/// not the declared one; an Int is taken where a Real is declared.
+ir::ExprPtr call_extern(ir::ExternFunctionPtr function, source::Span name, std::vector<ir::ExprPtr> arguments,
+                        source::Span span, source::Diagnostics& diagnostics);
 
 }  // namespace jrule::sema

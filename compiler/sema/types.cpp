@@ -41,7 +41,9 @@ std::optional<ExprType> resolve_type(ast::TypeName const& type, Externs const& e
     return ExprType{Type::Extern, type.list, false, known->second};
   }
   if (name == "Dart") {
-    diagnostics.add({.code = Code::unknown_type, .span = type.name.span, .message = "a `Dart` cannot be stored",
+    diagnostics.add({.code = Code::unknown_type,
+                     .span = type.name.span,
+                     .message = "a `Dart` cannot be stored",
                      .notes = {"a rule gets darts at its hooks, an expression by the nodes of the left side"}});
     return {};
   }
@@ -52,11 +54,14 @@ std::optional<ExprType> resolve_type(ast::TypeName const& type, Externs const& e
   return {};
 }
 
-std::optional<ExprType> resolve_stored_type(ast::TypeName const& type, Externs const& externs, Diagnostics& diagnostics) {
+std::optional<ExprType> resolve_stored_type(ast::TypeName const& type, Externs const& externs,
+                                            Diagnostics& diagnostics) {
   auto resolved = resolve_type(type, externs, diagnostics);
   if (!resolved || !resolved->list) return resolved;
-  diagnostics.add({.code = Code::list_not_implemented, .span = type.name.span,
-                   .message = fmt::format("values of the list type `{}` are not yet implemented", to_string(*resolved))});
+  diagnostics.add(
+      {.code = Code::list_not_implemented,
+       .span = type.name.span,
+       .message = fmt::format("values of the list type `{}` are not yet implemented", to_string(*resolved))});
   return {};
 }
 
@@ -67,10 +72,12 @@ struct Policy {
   MergePolicy policy;
   Builtin aggregate;
 };
-constexpr std::array policies{Policy{"mean", MergePolicy::mean, Builtin::mean}, Policy{"min", MergePolicy::min, Builtin::min},
-                              Policy{"max", MergePolicy::max, Builtin::max}, Policy{"first", MergePolicy::first, Builtin::first}};
+constexpr std::array policies{
+    Policy{"mean", MergePolicy::mean, Builtin::mean}, Policy{"min", MergePolicy::min, Builtin::min},
+    Policy{"max", MergePolicy::max, Builtin::max}, Policy{"first", MergePolicy::first, Builtin::first}};
 
-std::optional<Merge> merge_by(ast::Name const& name, ir::ExternFunctionPtr function, ExprType const& type, Diagnostics& diagnostics) {
+std::optional<Merge> merge_by(ast::Name const& name, ir::ExternFunctionPtr function, ExprType const& type,
+                              Diagnostics& diagnostics) {
   if (!function) return {};  // reported
   ExprType list = type;
   list.list = true;
@@ -79,16 +86,20 @@ std::optional<Merge> merge_by(ast::Name const& name, ir::ExternFunctionPtr funct
   bool const fits = parameters == std::vector{type, type} || parameters == std::vector{list};
   if (fits && function->result == type) return Merge{MergePolicy::function, std::move(function)};
   std::string const t = to_string(type);
-  diagnostics.add({.code = Code::bad_merge, .span = name.span,
-                   .message = fmt::format("`{}` is `{}` and cannot merge values of type `{}`", name.text, ir::signature(*function), t),
-                   .labels = {{function->span, "declared here"}},
-                   .notes = {fmt::format("a function that merges them is `({0}, {0}) -> {0}` or `([{0}]) -> {0}`", t)}});
+  diagnostics.add(
+      {.code = Code::bad_merge,
+       .span = name.span,
+       .message =
+           fmt::format("`{}` is `{}` and cannot merge values of type `{}`", name.text, ir::signature(*function), t),
+       .labels = {{function->span, "declared here"}},
+       .notes = {fmt::format("a function that merges them is `({0}, {0}) -> {0}` or `([{0}]) -> {0}`", t)}});
   return {};
 }
 
 }  // namespace
 
-std::optional<Merge> resolve_merge(ast::Name const& name, ExprType const& type, Externs const& externs, Diagnostics& diagnostics) {
+std::optional<Merge> resolve_merge(ast::Name const& name, ExprType const& type, Externs const& externs,
+                                   Diagnostics& diagnostics) {
   if (auto const function = externs.functions.find(name.text); function != externs.functions.end()) {
     return merge_by(name, function->second, type, diagnostics);
   }
@@ -106,15 +117,19 @@ std::optional<Merge> resolve_merge(ast::Name const& name, ExprType const& type, 
     if (s.parameters.front().element == type.element) return Merge{row->policy};
     merged.push_back(to_string(s.parameters.front().element));
   }
-  source::Diagnostic d{.code = Code::bad_merge, .span = name.span,
+  source::Diagnostic d{.code = Code::bad_merge,
+                       .span = name.span,
                        .message = fmt::format("values of type `{}` have no `{}`", to_string(type), name.text),
                        .notes = {fmt::format("`{}` merges values of type {}", name.text, fmt::join(merged, ", "))}};
-  if (type.external) d.notes.push_back(fmt::format("those of an extern type are merged by `first` or by an extern function `({0}, {0}) -> {0}`", to_string(type)));
+  if (type.external)
+    d.notes.push_back(fmt::format(
+        "those of an extern type are merged by `first` or by an extern function `({0}, {0}) -> {0}`", to_string(type)));
   diagnostics.add(std::move(d));
   return {};
 }
 
-std::optional<Default> evaluate_default(ast::Expr const& expr, ExprType const& type, Externs const& externs, Diagnostics& diagnostics) {
+std::optional<Default> evaluate_default(ast::Expr const& expr, ExprType const& type, Externs const& externs,
+                                        Diagnostics& diagnostics) {
   ExprContext context;
   context.externs = &externs;
   ExprPtr value = check_expression(expr, context, type, diagnostics);

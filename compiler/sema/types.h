@@ -13,11 +13,13 @@ namespace jrule::sema {
 /// The language's own type of that name, without Dart; none if there is none.
 std::optional<Type> find_type(std::string const& name);
 
-/// A type of the language, an extern type, or a list; none, reported, if it is unknown (J0204) or `Dart` (J0204). Nothing
-/// is said again of an extern type whose declaration was reported.
-std::optional<ir::ExprType> resolve_type(ast::TypeName const& type, Externs const& externs, source::Diagnostics& diagnostics);
+/// A type of the language, an extern type, or a list; none, reported, if it is unknown (J0204) or `Dart` (J0204).
+/// Nothing is said again of an extern type whose declaration was reported.
+std::optional<ir::ExprType> resolve_type(ast::TypeName const& type, Externs const& externs,
+                                         source::Diagnostics& diagnostics);
 /// The same for an embedding or a parameter, which is no list (J0491).
-std::optional<ir::ExprType> resolve_stored_type(ast::TypeName const& type, Externs const& externs, source::Diagnostics& diagnostics);
+std::optional<ir::ExprType> resolve_stored_type(ast::TypeName const& type, Externs const& externs,
+                                                source::Diagnostics& diagnostics);
 
 struct Merge {
   MergePolicy policy = MergePolicy::none;

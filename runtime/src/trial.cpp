@@ -4,7 +4,8 @@
 
 namespace jrule::rewrite {
 
-Trial::Trial(Map& map, Workspace& workspace, std::size_t arcs) : map_(map), workspace_(workspace), limit_(map.dart_limit()) {
+Trial::Trial(Map& map, Workspace& workspace, std::size_t arcs)
+    : map_(map), workspace_(workspace), limit_(map.dart_limit()) {
   arcs_.reserve(arcs);
   value_counts_.reserve(map.embedding_count());
   for (std::size_t e = 0; e < map.embedding_count(); ++e) value_counts_.push_back(map.embedding(e).value_count());
@@ -36,7 +37,9 @@ void Trial::begin_merges(std::size_t embedding) noexcept {
   workspace_.clear_marks();
 }
 
-void Trial::exclude(Dart d) noexcept { (void)collect_orbit(map_, map_.embedding(embedding_).spec().orbit, d, workspace_); }
+void Trial::exclude(Dart d) noexcept {
+  (void)collect_orbit(map_, map_.embedding(embedding_).spec().orbit, d, workspace_);
+}
 
 void Trial::merge(Dart d) {
   Embedding& e = map_.embedding(embedding_);

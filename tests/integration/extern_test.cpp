@@ -172,6 +172,28 @@ TEST_F(Extern, MergingOneValueCallsNoFunction) {
   EXPECT_EQ(map_.soil(made->a).name, "clay");
 }
 
+// A clause and a merge of one embedding, also where they meet in a corner: the clause says it.
+TEST_F(Extern, ClausesComeBeforeMerges) {
+  auto const first = field(map_, 0), second = field(map_, 1), third = field(map_, 2);
+  ASSERT_TRUE(first && second && third);
+  map_.set_label(first->c, 100);
+  map_.set_label(first->d, 200);
+  Contents const before = contents(map_.map());
+  geo::total_fails = true;
+  EXPECT_THROW((void)sew_twice(map_, first->c, second->h, second->a, third->f), geo::Rock);
+  EXPECT_EQ(contents(map_.map()), before);
+  geo::total_fails = false;
+  auto const sewn = sew_twice(map_, first->c, second->h, second->a, third->f);
+  ASSERT_TRUE(sewn) << sewn.error().message;
+  EXPECT_EQ(map_.label(first->d), 201);
+  EXPECT_EQ(map_.label(second->g), 201);
+  EXPECT_EQ(map_.label(first->c), 101);
+  EXPECT_EQ(map_.label(third->g), 101);
+  EXPECT_EQ(map_.label(second->c), 14);
+  EXPECT_EQ(map_.label(third->d), 14);
+  expect_valid(map_.map());
+}
+
 TEST_F(Extern, CopiesOfAMapHaveTheirOwnValues) {
   make_neighbours();
   Terrain copy = map_;
@@ -211,7 +233,8 @@ TEST_F(Extern, JmapCannotHoldTheValues) {
   std::string const path = testing::TempDir() + "extern.jmap";
   auto const written = map_.write(path);
   ASSERT_FALSE(written);
-  EXPECT_EQ(to_string(written.error()), path + ": the embedding 'soil' has the C++ type geo::Soil, which .jmap cannot hold");
+  EXPECT_EQ(to_string(written.error()),
+            path + ": the embedding 'soil' has the C++ type geo::Soil, which .jmap cannot hold");
   EXPECT_THROW(print_jmap(map_.map()), std::invalid_argument);
   EXPECT_TRUE(map_.write(testing::TempDir() + "extern.off"));
 

@@ -154,8 +154,8 @@ TEST(Trial, LeavesExcludedOrbitsAlone) {
   EXPECT_EQ(map.embedding(0).value_count(), 4U);
 }
 
-// The face 0 1 2 3 loses the dart 1, which is to be deleted, and gets a new one instead: the source of 2 is no target that
-// is written.
+// The face 0 1 2 3 loses the dart 1, which is to be deleted, and gets a new one instead: the source of 2 is no target
+// that is written.
 TEST(Trial, IsUndoneUnlessKept) {
   Map map = four_faces();
   for (Dart d = 0; d < 4; ++d) map.set_target(d, 1, (d + 1) % 4);

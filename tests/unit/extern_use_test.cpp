@@ -33,7 +33,8 @@ TEST(ExternUse, IsFoundWhereverItIs) {
   EXPECT_EQ(use(height + "embedding l : face -> Real { merge low; }", plain),
             "the embedding `l` is merged by the extern function `low`");
   auto const in = [&](std::string const& parameters, std::string const& left, std::string const& right) {
-    return use(height, "rule r(" + parameters + ") on M { left { hook a <0,1>; " + left + " } right { a { " + right + " } } }");
+    return use(height,
+               "rule r(" + parameters + ") on M { left { hook a <0,1>; " + left + " } right { a { " + right + " } } }");
   };
   EXPECT_EQ(in("s: Soil", "", ""), "the parameter `s` has the extern type `Soil`");
   EXPECT_EQ(in("x: Real = hard(grass())", "", ""), "the default of `x` calls the extern function `hard`");
@@ -58,8 +59,9 @@ rule r(s: Soil = mix(grass(), grass()), x: Real = 1) on M {
             "  embedding s : <0,1> -> Soil default (grass) merge mix\n"
             "  embedding h : <1,2> -> Real default (hard (grass)) merge low\n");
   std::string const text = print(program.rules.at(0));
-  for (char const* line : {"  parameter s: Soil = (mix (grass) (grass))\n", "  parameter x: Real = 1\n",
-                           "  let y = (first <0,1>(a by <0,1>).s)\n", "  require (< (hard y) x)\n", "  a.s = (mix s y)\n"}) {
+  for (char const* line :
+       {"  parameter s: Soil = (mix (grass) (grass))\n", "  parameter x: Real = 1\n",
+        "  let y = (first <0,1>(a by <0,1>).s)\n", "  require (< (hard y) x)\n", "  a.s = (mix s y)\n"}) {
     EXPECT_NE(text.find(line), std::string::npos) << line << text;
   }
 }
@@ -71,8 +73,10 @@ rule unite on M { left { hook a <0,2>; b; a -1- b; } right { b; b -1[2]- b; } }
 rule dot on M { left { } right { a; a -0- a; a -1- a; a -2- a; } }
 )";
   auto const judged = [&](std::string const& policies) {
-    Program const program = tests::program_of(declarations + "modeler M on gmap(2) { embedding s : face -> Soil { " + policies + " } }" + rules);
-    return tests::codes(analysis::analyze(program.rules.at(0))) + "," + tests::codes(analysis::analyze(program.rules.at(1)));
+    Program const program = tests::program_of(declarations + "modeler M on gmap(2) { embedding s : face -> Soil { " +
+                                              policies + " } }" + rules);
+    return tests::codes(analysis::analyze(program.rules.at(0))) + "," +
+           tests::codes(analysis::analyze(program.rules.at(1)));
   };
   EXPECT_EQ(judged(""), "J0402,J0401");
   EXPECT_EQ(judged("merge mix;"), ",J0401");

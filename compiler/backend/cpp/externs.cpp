@@ -24,8 +24,8 @@ struct Headers {
       if (std::string_view const why = unusable(part); !why.empty()) {
         diagnostics.add({.code = source::Code::name_not_usable_in_cpp,
                          .span = declared.span,
-                         .message = fmt::format("the extern {} `{}` cannot be `{}` in C++: `{}` {}", what, declared.name,
-                                                declared.cpp_name, part, why)});
+                         .message = fmt::format("the extern {} `{}` cannot be `{}` in C++: `{}` {}", what,
+                                                declared.name, declared.cpp_name, part, why)});
       }
       rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 2);
     }

@@ -9,8 +9,8 @@
 
 namespace jrule::cpp {
 
-/// Adds the headers of the extern types and functions that a modeler's embeddings or a rule use. Reports those whose C++
-/// name has a part that C++ cannot use (J0901).
+/// Adds the headers of the extern types and functions that a modeler's embeddings or a rule use. Reports those whose
+/// C++ name has a part that C++ cannot use (J0901).
 void add_headers(ir::Modeler const& modeler, std::set<std::string>& headers, source::Diagnostics& diagnostics);
 void add_headers(ir::RuleScheme const& rule, std::set<std::string>& headers, source::Diagnostics& diagnostics);
 

@@ -1,5 +1,5 @@
-// Merging by functions that may throw (MergePolicy::function). What an orbit is merged from is known only when the new arcs
-// are there, so they are written on trial: if a function throws, the map becomes again what it was.
+// Merging by functions that may throw (MergePolicy::function). What an orbit is merged from is known only when the new
+// arcs are there, so they are written on trial: if a function throws, the map becomes again what it was.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,9 @@
 
 namespace jrule::rewrite {
 
-/// The part of an application between its plan and its commit, in the order of the members. Unless keep() is called, the
-/// destructor undoes all of it: the new darts and arcs, and every value that was added to the map since the constructor.
+/// The part of an application between its plan and its commit, in the order of the members. Unless keep() is called,
+/// the destructor undoes all of it: the new darts and arcs, and every value that was added to the map since the
+/// constructor.
 class Trial {
  public:
   /// Room for so many calls of set_target(). May throw std::bad_alloc. The workspace must have room for every dart, the
@@ -30,8 +31,8 @@ class Trial {
   void begin_merges(std::size_t embedding) noexcept;
   /// The orbit of `d` gets a value from elsewhere: nothing is merged there.
   void exclude(Dart d) noexcept;
-  /// If the orbit of `d` holds several values or darts without one: the value that it is to have, the only one or what the
-  /// embedding's function makes of them. Throws what that throws.
+  /// If the orbit of `d` holds several values or darts without one: the value that it is to have, the only one or what
+  /// the embedding's function makes of them. Throws what that throws.
   void merge(Dart d);
 
   void keep() noexcept { kept_ = true; }
