@@ -122,6 +122,17 @@ TEST_F(Extern, FunctionsStandInLetsRequirementsAndClauses) {
   EXPECT_EQ(map_.soil(made->a).name, "stone");
 }
 
+TEST_F(Extern, FunctionsAggregateComprehensions) {
+  make_neighbours();
+  map_.set_soil(far_, geo::Soil("stone", 0.25));
+  ASSERT_TRUE(harden(map_, border_, 0.125));
+  EXPECT_EQ(map_.soil(border_).name, "sand");
+  EXPECT_EQ(map_.soil(border_).sand, -0.125);  // clay, without sand and wet, is the hardest
+  ASSERT_TRUE(harden(map_, far_, 0));
+  EXPECT_EQ(map_.soil(far_).sand, -0.125);
+  EXPECT_THROW((void)harden(map_, far_, -1), std::domain_error);
+}
+
 TEST_F(Extern, PartsOfASplitOrbitKeepItsValue) {
   auto const made = field(map_, 0, geo::Soil("clay"));
   ASSERT_TRUE(made);

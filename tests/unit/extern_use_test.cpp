@@ -28,7 +28,7 @@ TEST(ExternUse, IsFoundWhereverItIs) {
   std::string const plain = "rule r on M { left { hook a <0,1>; } right { a; } }";
   EXPECT_EQ(use(height, plain), "nothing");
   EXPECT_EQ(use("embedding s : face -> Soil;", plain), "the embedding `s` has the extern type `Soil`");
-  EXPECT_EQ(use("embedding h : face -> Real { default if true then 1 else 2 * hard(grass()); }", plain),
+  EXPECT_EQ(use("embedding h : face -> Real { default 1 + 2 * hard(grass()); }", plain),
             "the default of `h` calls the extern function `hard`");
   EXPECT_EQ(use(height + "embedding l : face -> Real { merge low; }", plain),
             "the embedding `l` is merged by the extern function `low`");
@@ -40,6 +40,8 @@ TEST(ExternUse, IsFoundWhereverItIs) {
   EXPECT_EQ(in("x: Real = hard(grass())", "", ""), "the default of `x` calls the extern function `hard`");
   EXPECT_EQ(in("", "let y = grass();", ""), "`y` calls the extern function `grass`");
   EXPECT_EQ(in("", "require low(<0,1>(a).h) < 1;", ""), "a requirement calls the extern function `low`");
+  EXPECT_EQ(in("", "let y = mean(hard(grass()) for e in <0,1>(a));", ""), "`y` calls the extern function `hard`");
+  EXPECT_EQ(in("", "let y = low(e.h for e in <0,1>(a));", ""), "`y` calls the extern function `low`");
   EXPECT_EQ(in("", "", "h = 1 + low(<0,1>(a).h);"), "`h` of `a` calls the extern function `low`");
 }
 
