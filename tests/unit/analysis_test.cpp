@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "compiler/analysis/certify.h"
+#include "compiler/analysis/counterexample/counterexample.h"
+#include "tests/bench/stars.h"
 #include "tests/certificate/checker.h"
 #include "tests/unit/rule_fixture.h"
 
@@ -55,6 +57,21 @@ TEST(Errata, WordsAreComparedInTheGroup) {
   EXPECT_EQ(verdict_on("gmap(2)",
                        "rule r on M { left { hook a <0,1,2>; } right { a <0,1,2>; b <0,1,_>; c <0,1,_>; b -2[0,1]-> c; c -2[0,1]-> b; } }"),
             "J0313");
+}
+
+// What the benchmark measures is what it says: accepted rules of 20 nodes in dimension 4, and refused ones.
+TEST(LargeRules, AreAcceptedAndWithAMistakeRefuted) {
+  ir::Program const right = program_of(bench::stars()), wrong = program_of(bench::wrong_stars());
+  ASSERT_EQ(right.rules.size(), 2U);
+  EXPECT_EQ(right.rules[0].model(), gmap(4));
+  EXPECT_EQ(right.rules[1].model(), omap(4));
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(right.rules[i].nodes.size(), 20U);
+    EXPECT_EQ(codes(verdict_on(right.rules[i])), "");
+    EXPECT_EQ(codes(verdict_on(wrong.rules[i])), i == 0 ? "J0321 J0321 J0321 J0321 J0321" : "J0321");
+    EXPECT_TRUE(analysis::find_counterexample(wrong.rules[i]));
+    EXPECT_FALSE(analysis::find_counterexample(right.rules[i], 200));
+  }
 }
 
 TEST(IncidentArcs, AtMostOneArcOfADimension) {
