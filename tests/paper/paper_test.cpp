@@ -297,7 +297,8 @@ TEST_P(PaperOperation, makes_the_expected_map) {
   auto const violation = find_violation(map);
   ASSERT_FALSE(violation) << violation->text;
 
-  auto const examined = property::examine(rule, analysis::analyze(rule).plan, {map, operation.hooks});
+  analysis::Plan const plan = analysis::analyze(rule).plan;
+  auto const examined = property::examine(rule, {map, operation.hooks}, property::interpreted(rule, plan));
   EXPECT_TRUE(examined.applied);
   EXPECT_FALSE(examined.fault) << *examined.fault;  // it is the map that the paper's construction gives
 

@@ -5,7 +5,6 @@
 #include <map>
 #include <set>
 
-#include "compiler/backend/interpreter/interpreter.h"
 #include "jrule/io.h"
 #include "tests/reference/engine.h"
 
@@ -38,19 +37,45 @@ std::optional<std::string> same_result(ir::RuleScheme const& rule, Map const& be
   return {};
 }
 
+/// Bit for bit: the same darts, arcs and handles.
+bool unchanged(Map const& before, Map const& after) {
+  if (before.dart_limit() != after.dart_limit() || before.darts() != after.darts()) return false;
+  for (Dart const d : before.darts()) {
+    for (int const i : before.model().dimensions) {
+      if (before.target(d, i) != after.target(d, i) || before.source(d, i) != after.source(d, i)) return false;
+    }
+    for (std::size_t e = 0; e < before.embedding_count(); ++e) {
+      Handle const handle = before.embedding(e).handle(d);
+      if (handle != after.embedding(e).handle(d)) return false;
+      if (before.embedding(e).value(handle) != after.embedding(e).value(handle)) return false;
+    }
+  }
+  return true;
+}
+
+/// Of an application that failed: only that it is not applicable there may be why, and then nothing has changed.
+std::optional<std::string> refused_cleanly(Error const& error, Map const& before, Map const& after) {
+  if (error.kind != Error::Kind::not_applicable) return "another error: " + to_string(error);
+  if (!unchanged(before, after)) return "it does not apply, but the map is changed";
+  return {};
+}
+
 }  // namespace
 
-Examined examine(ir::RuleScheme const& rule, analysis::Plan const& plan, Site const& site) {
+Application interpreted(ir::RuleScheme const& rule, analysis::Plan const& plan) {
+  return [&rule, &plan](Map& map, std::vector<Dart> const& hooks) {
+    rewrite::Workspace workspace;
+    return interpreter::apply(rule, plan, map, hooks, {}, workspace);
+  };
+}
+
+Examined examine(ir::RuleScheme const& rule, Site const& site, Application const& apply) {
   auto const expected = reference::derive(rule, reference::plain(site.map), site.hooks);
   Map after = site.map;
-  rewrite::Workspace workspace;
-  auto const applied = interpreter::apply(rule, plan, after, site.hooks, {}, workspace);
+  auto const applied = apply(after, site.hooks);
   if (!applied) {
     if (expected) return {false, "it should apply, but: " + to_string(applied.error())};
-    if (applied.error().kind != Error::Kind::not_applicable)
-      return {false, "another error: " + to_string(applied.error())};
-    if (print_jmap(after) != print_jmap(site.map)) return {false, "it does not apply, but the map is changed"};
-    return {false, {}};
+    return {false, refused_cleanly(applied.error(), site.map, after)};
   }
   if (!expected) return {true, "it should not apply: " + expected.error()};
   if (auto const violation = find_violation(after)) return {true, "the result is no map: " + violation->text};
@@ -59,34 +84,37 @@ Examined examine(ir::RuleScheme const& rule, analysis::Plan const& plan, Site co
   return {true, same_result(rule, site.map, *expected, after, *applied)};
 }
 
-Examined examine_values(ir::RuleScheme const& rule, analysis::Plan const& plan, Site const& site) {
-  Map before(rule.model(), rule.modeler->embeddings);
-  before.add_darts(site.map.dart_limit());
-  for (Dart d = 0; d < site.map.dart_limit(); ++d) {
-    for (int const i : rule.model().dimensions) before.set_target(d, i, site.map.target(d, i));
+Map with_values(ir::Modeler const& modeler, Map const& bare) {
+  Map map(modeler.model, modeler.embeddings);
+  map.add_darts(bare.dart_limit());
+  for (Dart d = 0; d < bare.dart_limit(); ++d) {
+    for (int const i : modeler.model.dimensions) map.set_target(d, i, bare.target(d, i));
   }
-  for (std::size_t e = 0; e < before.embedding_count(); ++e) {
-    Embedding& embedding = before.embedding(e);
+  for (std::size_t e = 0; e < map.embedding_count(); ++e) {
+    Embedding& embedding = map.embedding(e);
     std::map<std::uint32_t, Handle> handles;
-    auto const orbits = number_orbits(before, embedding.spec().orbit);
-    for (Dart d = 0; d < before.dart_limit(); ++d) {
+    auto const orbits = number_orbits(map, embedding.spec().orbit);
+    for (Dart d = 0; d < map.dart_limit(); ++d) {
       auto const number = orbits.number[d];
       auto const [known, is_new] = handles.emplace(number, no_handle);
       if (is_new) known->second = embedding.add(Value(std::int64_t{number}));
       embedding.set_handle(d, known->second);
     }
   }
+  return map;
+}
+
+Examined examine_values(ir::RuleScheme const& rule, Site const& site, Application const& apply) {
+  Map const before = with_values(*rule.modeler, site.map);
   if (auto const violation = find_violation(before)) return {false, "the map before is no map: " + violation->text};
   Map after = before;
-  rewrite::Workspace workspace;
-  auto const applied = interpreter::apply(rule, plan, after, site.hooks, {}, workspace);
-  if (!applied) {
-    if (print_jmap(after) != print_jmap(before)) return {false, "it does not apply, but the map is changed"};
-    return {false, {}};
-  }
+  auto const applied = apply(after, site.hooks);
+  if (!applied) return {false, refused_cleanly(applied.error(), before, after)};
   if (auto const violation = find_violation(after)) return {true, "the result is no map: " + violation->text};
   std::set<Dart> added;
-  for (ir::NodeId const s : plan.added) added.insert(applied->copies[s].begin(), applied->copies[s].end());
+  for (ir::NodeId s = 0; s < rule.nodes.size(); ++s) {
+    if (rule.nodes[s].added()) added.insert(applied->copies[s].begin(), applied->copies[s].end());
+  }
   for (std::size_t e = 0; e < after.embedding_count(); ++e) {
     auto const orbits = number_orbits(after, after.embedding(e).spec().orbit);
     std::vector<std::set<std::int64_t>> brought(orbits.first.size());
@@ -105,6 +133,19 @@ Examined examine_values(ir::RuleScheme const& rule, analysis::Plan const& plan, 
     }
   }
   return {true, {}};
+}
+
+std::optional<std::string> difference(Map const& start, std::vector<Dart> const& hooks, Application const& a,
+                                      Application const& b) {
+  Map map_a = start, map_b = start;
+  auto const applied_a = a(map_a, hooks), applied_b = b(map_b, hooks);
+  auto const error = [](auto const& applied) { return applied ? std::string("none") : to_string(applied.error()); };
+  if (error(applied_a) != error(applied_b))
+    return "the errors differ: " + error(applied_a) + "; " + error(applied_b);
+  if (applied_a && applied_a->copies != applied_b->copies) return "the copies of the nodes differ";
+  if (map_a.darts() != map_b.darts() || print_jmap(map_a) != print_jmap(map_b))
+    return "the maps differ:\n" + print_jmap(map_a) + print_jmap(map_b);
+  return {};
 }
 
 }  // namespace jrule::property

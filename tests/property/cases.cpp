@@ -25,7 +25,7 @@ class Configuration : public testing::Environment {
  public:
   void SetUp() override {
     std::string const parameters =
-        "seed=" + variable("JRULE_SEED", "1") + " max_success=" + std::to_string(case_count());
+        "seed=" + std::to_string(case_seed()) + " max_success=" + std::to_string(case_count());
     setenv("RC_PARAMS", parameters.c_str(), 0);
   }
 };
@@ -33,6 +33,7 @@ class Configuration : public testing::Environment {
 
 }  // namespace
 
+std::uint64_t case_seed() { return std::stoull(variable("JRULE_SEED", "1")); }
 int case_count() { return std::stoi(variable("JRULE_CASES", "10000")); }
 
 std::ostream& operator<<(std::ostream& out, Case const& c) {

@@ -23,9 +23,10 @@ struct Case {
 std::ostream& operator<<(std::ostream& out, Case const& c);
 
 /// RapidCheck shrinks a case by leaving out mutations. It draws the same cases each time: as many as JRULE_CASES says (else
-/// 8000), from the seed JRULE_SEED (else 1); RC_PARAMS overrides both.
+/// 10000), from the seed JRULE_SEED (else 1); RC_PARAMS overrides both.
 rc::Gen<Case> cases();
 int case_count();
+std::uint64_t case_seed();
 
 /// The rule of a case, on a random one of the models; it satisfies ir::verify.
 ir::RuleScheme make_rule(Case const& c, std::shared_ptr<ir::Modeler const> (*modeler_of)(Model const&));

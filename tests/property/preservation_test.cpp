@@ -30,7 +30,7 @@ void expect_telling(Tally const& tally) {
   EXPECT_GE(tally.not_applied, cases / 6);
 }
 
-using Examine = Examined (*)(ir::RuleScheme const&, analysis::Plan const&, Site const&);
+using Examine = Examined (*)(ir::RuleScheme const&, Site const&, Application const&);
 
 /// Applies the accepted ones of the random rules at random places.
 void check_accepted(std::string const& property, std::shared_ptr<ir::Modeler const> (*modeler_of)(Model const&),
@@ -49,7 +49,7 @@ void check_accepted(std::string const& property, std::shared_ptr<ir::Modeler con
     ++tally.accepted;
     if (!c.mutations.empty()) ++tally.accepted_mutated;
     for (Site const& site : make_sites(c, rule)) {
-      Examined const examined = examine(rule, verdict.plan, site);
+      Examined const examined = examine(rule, site, interpreted(rule, verdict.plan));
       if (examined.fault) RC_FAIL(*examined.fault + "\n" + describe(rule, site));
       ++(examined.applied ? tally.applied : tally.not_applied);
     }

@@ -1,0 +1,115 @@
+// Generated C++ for random rules, held against the reference engine and the interpreter on random maps.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "compiler/analysis/analyze.h"
+#include "jrule/io.h"
+#include "tests/property/cases.h"
+#include "tests/property/generated_code.h"
+#include "tests/property/models.h"
+
+namespace jrule::property {
+
+namespace {
+
+struct Drawn {
+  Case which;
+  AcceptedRule rule;
+};
+
+/// The first so many of the random rules that are accepted.
+std::vector<Drawn> draw_accepted(std::size_t count, std::shared_ptr<ir::Modeler const> (*modeler_of)(Model const&)) {
+  std::vector<Drawn> drawn;
+  rc::Random random(case_seed());
+  while (drawn.size() < count) {
+    Case const c = cases()(random.split(), rc::kNominalSize).value();
+    ir::RuleScheme scheme = make_rule(c, modeler_of);
+    analysis::Verdict verdict = analysis::analyze(scheme);
+    if (!verdict.accepted()) continue;
+    // The names of C++ functions and members.
+    scheme.name = "rule_" + std::to_string(drawn.size());
+    for (std::size_t s = 0; s < scheme.nodes.size(); ++s) scheme.nodes[s].name = "n" + std::to_string(s);
+    drawn.push_back({c, {std::move(scheme), std::move(verdict.plan)}});
+  }
+  return drawn;
+}
+
+std::optional<std::string> difference_everywhere(AcceptedRule const& rule, GeneratedRule const& generated,
+                                                 Map const& start) {
+  Map expected = start, map = start;
+  rewrite::Workspace workspace;
+  auto const expected_count = interpreter::apply_everywhere(rule.scheme, rule.plan, expected, {}, workspace);
+  auto const count = generated.everywhere(map);
+  auto const told = [](auto const& result) {
+    return result ? std::to_string(*result) + " times" : to_string(result.error());
+  };
+  if (told(count) != told(expected_count))
+    return "applied everywhere: " + told(count) + ", and by the interpreter: " + told(expected_count);
+  if (map.darts() != expected.darts() || print_jmap(map) != print_jmap(expected))
+    return "applied everywhere: the maps differ:\n" + print_jmap(map) + print_jmap(expected);
+  return {};
+}
+
+class GeneratedRules : public testing::Test {
+ protected:
+  /// Compiling takes its time: fewer rules than other properties have cases, but each at many places.
+  std::size_t const count = static_cast<std::size_t>(std::max(40, case_count() / 100));
+  static constexpr std::size_t batch = 100;
+  static constexpr int rounds = 4;
+  std::size_t mutated = 0, applied = 0, not_applied = 0, everywhere = 0;
+
+  using Examine = Examined (*)(ir::RuleScheme const&, Site const&, Application const&);
+
+  /// The first fault of the rule, if any.
+  void check(Drawn const& drawn, GeneratedRule const& generated, Examine examine) {
+    ir::RuleScheme const& rule = drawn.rule.scheme;
+    mutated += drawn.which.mutations.empty() ? 0U : 1U;
+    Case c = drawn.which;
+    for (int round = 0; round < rounds; ++round, ++c.maps) {
+      for (Site const& site : make_sites(c, rule)) {
+        Examined examined = examine(rule, site, generated.apply);
+        Map const start = with_values(*rule.modeler, site.map);
+        if (!examined.fault)
+          examined.fault = difference(start, site.hooks, generated.apply, interpreted(rule, drawn.rule.plan));
+        if (!examined.fault && generated.everywhere) {
+          examined.fault = difference_everywhere(drawn.rule, generated, start);
+          ++everywhere;
+        }
+        ASSERT_FALSE(examined.fault) << *examined.fault << '\n' << describe(rule, site);
+        ++(examined.applied ? applied : not_applied);
+      }
+    }
+  }
+
+  void check_all(std::string const& name, std::shared_ptr<ir::Modeler const> (*modeler_of)(Model const&),
+                 Examine examine) {
+    std::vector<Drawn> const drawn = draw_accepted(count, modeler_of);
+    for (std::size_t begin = 0; begin < count && !HasFailure(); begin += batch) {
+      std::size_t const end = std::min(count, begin + batch);
+      std::vector<AcceptedRule> rules;
+      for (std::size_t i = begin; i < end; ++i) rules.push_back(drawn[i].rule);
+      auto const generated = compile_rules(rules, name + '_' + std::to_string(begin / batch));
+      for (std::size_t i = begin; i < end; ++i) {
+        check(drawn[i], generated[i - begin], examine);
+      }
+    }
+    RecordProperty("rules", std::to_string(count));
+    RecordProperty("mutated", std::to_string(mutated));
+    RecordProperty("applied", std::to_string(applied));
+    RecordProperty("not_applied", std::to_string(not_applied));
+    RecordProperty("everywhere", std::to_string(everywhere));
+    EXPECT_GE(mutated, count / 4);
+    EXPECT_GE(applied, count * 4);
+    EXPECT_GE(not_applied, count);
+    EXPECT_GE(everywhere, count);
+  }
+};
+
+}  // namespace
+
+TEST_F(GeneratedRules, GiveWhatTheReferenceEngineGives) { check_all("bare", bare, examine); }
+
+TEST_F(GeneratedRules, GiveEachOrbitOneValue) { check_all("embedded", embedded, examine_values); }
+
+}  // namespace jrule::property
