@@ -1,5 +1,5 @@
-// The large rules of data/stars.jrule, as they are and each with a mistake: for the benchmark, and for the test that they are
-// what it takes them for.
+// The large rules of data/stars.jrule, as they are and each with a mistake: for the benchmark, and for the test that
+// they are what it takes them for.
 #pragma once
 
 #include <fstream>
@@ -15,8 +15,8 @@ inline std::string stars() {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-/// Both rules with one arc wrong: of a node of the first, the letters of two loops are exchanged; an arc of the second lacks its
-/// word.
+/// Both rules with one arc wrong: of a node of the first, the letters of two loops are exchanged; an arc of the second
+/// lacks its word.
 inline std::string wrong_stars() {
   std::string text = stars();
   for (auto const& [right, wrong] : {std::pair{"c2 <_,3,4,_,_>", "c2 <_,4,3,_,_>"}, {"c2 -3[1]- d2", "c2 -3- d2"}}) {

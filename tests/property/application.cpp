@@ -140,8 +140,7 @@ std::optional<std::string> difference(Map const& start, std::vector<Dart> const&
   Map map_a = start, map_b = start;
   auto const applied_a = a(map_a, hooks), applied_b = b(map_b, hooks);
   auto const error = [](auto const& applied) { return applied ? std::string("none") : to_string(applied.error()); };
-  if (error(applied_a) != error(applied_b))
-    return "the errors differ: " + error(applied_a) + "; " + error(applied_b);
+  if (error(applied_a) != error(applied_b)) return "the errors differ: " + error(applied_a) + "; " + error(applied_b);
   if (applied_a && applied_a->copies != applied_b->copies) return "the copies of the nodes differ";
   if (map_a.darts() != map_b.darts() || print_jmap(map_a) != print_jmap(map_b))
     return "the maps differ:\n" + print_jmap(map_a) + print_jmap(map_b);

@@ -22,13 +22,13 @@ struct Examined {
   std::optional<std::string> fault;  ///< none if all is well
 };
 
-/// Applies the rule, and derives what the reference engine makes of it. They have to agree on whether it applies and, up to a
-/// renaming of the added darts, on the result, which has to be a map of the model; where the rule does not apply, the map has
-/// to stay as it was, bit for bit.
+/// Applies the rule, and derives what the reference engine makes of it. They have to agree on whether it applies and,
+/// up to a renaming of the added darts, on the result, which has to be a map of the model; where the rule does not
+/// apply, the map has to stay as it was, bit for bit.
 Examined examine(ir::RuleScheme const& rule, Site const& site, Application const& apply);
 
-/// The same for a modeler with embeddings, on `with_values` of the site's map: after the application each orbit has one value,
-/// of the orbits whose darts it took over one's, else the default.
+/// The same for a modeler with embeddings, on `with_values` of the site's map: after the application each orbit has one
+/// value, of the orbits whose darts it took over one's, else the default.
 Examined examine_values(ir::RuleScheme const& rule, Site const& site, Application const& apply);
 
 /// The map with the embeddings of the modeler `embedded`, whose values differ from orbit to orbit.

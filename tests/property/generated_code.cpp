@@ -58,11 +58,12 @@ std::string class_name(std::string const& modeler) {
 
 /// The functions of one rule as an Entry: `{[](…) {…}, [](…) {…}},`.
 std::string entry(ir::RuleScheme const& rule, std::string const& name_space) {
-  std::string const modeler = name_space + "::" + class_name(rule.modeler->name), function = name_space + "::" + rule.name;
+  std::string const modeler = name_space + "::" + class_name(rule.modeler->name),
+                    function = name_space + "::" + rule.name;
   std::string hooks, copies;
   for (std::size_t h = 0; h < rule.hooks.size(); ++h) hooks += fmt::format(", hooks[{}]", h);
   for (ir::Node const& node : rule.nodes) {
-    std::string const copy = node.deleted()        ? "{}"
+    std::string const copy = node.deleted()       ? "{}"
                              : rule.hooks.empty() ? "{result->" + node.name + "}"
                                                   : "result->copies." + node.name;
     copies += (copies.empty() ? "" : ", ") + copy;
@@ -106,8 +107,8 @@ void print_code(std::vector<AcceptedRule> const& rules, std::string const& name,
     text += "#include \"" + module + ".cpp\"\n";
   }
   text += preamble;
-  text += "\n}  // namespace\n\nextern \"C\" {\nextern Entry const jrule_rules[];\nEntry const jrule_rules[] = {\n" + entries +
-          "};\n}\n";
+  text += "\n}  // namespace\n\nextern \"C\" {\nextern Entry const jrule_rules[];\nEntry const jrule_rules[] = {\n" +
+          entries + "};\n}\n";
   tests::write(folder / "rules.cpp", text);
 }
 

@@ -20,10 +20,10 @@ struct GeneratedRule {
   std::function<Result<std::size_t>(Map& map)> everywhere;
 };
 
-/// Prints the rules by the C++ backend, compiles them as this program was compiled and loads them. No two rules have the same
-/// name, and all names are fit for C++. `name` is an identifier that no other call of this program uses: also that of the folder,
-/// below the build's, which keeps the code and what is made of it. The result stays valid. Throws std::runtime_error with the
-/// compiler's messages if the code does not compile without warnings.
+/// Prints the rules by the C++ backend, compiles them as this program was compiled and loads them. No two rules have
+/// the same name, and all names are fit for C++. `name` is an identifier that no other call of this program uses: also
+/// that of the folder, below the build's, which keeps the code and what is made of it. The result stays valid. Throws
+/// std::runtime_error with the compiler's messages if the code does not compile without warnings.
 std::vector<GeneratedRule> compile_rules(std::vector<AcceptedRule> const& rules, std::string const& name);
 
 }  // namespace jrule::property

@@ -1,0 +1,81 @@
+#include "tests/property/clauses.h"
+
+#include "compiler/algebra/group.h"
+#include "compiler/analysis/analyze.h"
+
+namespace jrule::property {
+
+namespace {
+
+ir::ExprType const integer{Type::Int, false, false}, integers{Type::Int, true, false};
+
+template <class Node>
+ir::ExprPtr expr(Node node, ir::ExprType type) {
+  return std::make_shared<ir::Expr const>(ir::Expr{type, std::move(node), {}});
+}
+
+struct Writer {
+  ir::RuleScheme const& rule;
+  Random& random;
+  algebra::Group group{rule.model()};
+
+  std::size_t any_embedding() { return random.below(rule.modeler->embeddings.size()); }
+
+  /// A walk of up to three steps.
+  Word path() {
+    Word word;
+    for (std::size_t k = random.below(4); k > 0; --k) {
+      int const d = random.pick(rule.model().dimensions);
+      word.push_back({static_cast<std::uint8_t>(d), rule.model().is_oriented(d) && random.chance(50)});
+    }
+    return group.normal_form(word);
+  }
+
+  ir::NodeId left_node() {
+    std::vector<ir::NodeId> left;
+    for (ir::NodeId s = 0; s < rule.nodes.size(); ++s) {
+      if (!rule.nodes[s].added()) left.push_back(s);
+    }
+    return random.pick(left);
+  }
+
+  ir::ExprPtr number() {
+    std::size_t const kind = rule.hooks.empty() ? 0 : random.below(4);
+    if (kind == 0) return expr(ir::Constant{Value(static_cast<std::int64_t>(random.below(1000)))}, integer);
+    if (kind == 1) {
+      // One value for each dart of some orbit.
+      std::vector<int> dimensions;
+      for (int const d : rule.model().dimensions) {
+        if (random.chance(50)) dimensions.push_back(d);
+      }
+      ir::Collect const values{any_embedding(), left_node(), path(), orbit_of_dimensions(dimensions), {}};
+      ir::Builtin const aggregate = random.chance(50) ? ir::Builtin::sum : ir::Builtin::count;
+      return expr(ir::Apply{aggregate, {expr(values, integers)}}, integer);
+    }
+    return expr(ir::ValueAt{any_embedding(), left_node(), path()}, integer);
+  }
+
+  ir::ExprPtr value() {
+    ir::ExprPtr sum = number();
+    for (std::size_t k = random.below(3); k > 0; --k) sum = expr(ir::Apply{ir::Builtin::add, {sum, number()}}, integer);
+    return sum;
+  }
+};
+
+}  // namespace
+
+ir::RuleScheme with_clauses(ir::RuleScheme rule, Random& random) {
+  std::vector<ir::NodeId> right;
+  for (ir::NodeId s = 0; s < rule.nodes.size(); ++s) {
+    if (!rule.nodes[s].deleted()) right.push_back(s);
+  }
+  for (std::size_t k = right.empty() ? 0 : random.between(1, 6); k > 0; --k) {
+    Writer writer{rule, random};
+    rule.clauses.push_back({random.pick(right), writer.any_embedding(), writer.value(), {}});
+    // An orbit that gets two values is no longer accepted.
+    if (!analysis::analyze(rule).accepted()) rule.clauses.pop_back();
+  }
+  return rule;
+}
+
+}  // namespace jrule::property
