@@ -9,6 +9,7 @@
 #include "tests/property/clauses.h"
 #include "tests/property/generated_code.h"
 #include "tests/property/models.h"
+#include "tests/property/mutation.h"
 
 namespace jrule::property {
 
@@ -21,10 +22,16 @@ struct Drawn {
 
 using Make = ir::RuleScheme (*)(Case const&);
 
-ir::RuleScheme make_bare(Case const& c) { return make_rule(c, bare); }
-ir::RuleScheme make_embedded(Case const& c) { return make_rule(c, embedded); }
+/// Half of them with more words than rules have that somebody wrote.
+ir::RuleScheme make_worded(Case const& c, std::shared_ptr<ir::Modeler const> (*modeler_of)(Model const&)) {
+  ir::RuleScheme rule = make_rule(c, modeler_of);
+  Random random(c.maps);
+  return random.chance(50) ? move_added_copies(rule, random) : rule;
+}
+ir::RuleScheme make_bare(Case const& c) { return make_worded(c, bare); }
+ir::RuleScheme make_embedded(Case const& c) { return make_worded(c, embedded); }
 ir::RuleScheme make_with_clauses(Case const& c) {
-  ir::RuleScheme rule = make_rule(c, embedded);
+  ir::RuleScheme rule = make_embedded(c);
   Random random(c.operation);
   return analysis::analyze(rule).accepted() ? with_clauses(std::move(rule), random) : rule;
 }

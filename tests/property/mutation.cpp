@@ -257,13 +257,14 @@ struct Mutation {
   /// Renames the copies of a node, (u, s) to (u·g, s): an added node's do not matter, others' do.
   bool move_copies() {
     if (rule.nodes.empty()) return false;
-    auto const id = static_cast<ir::NodeId>(random.below(rule.nodes.size()));
-    Word const g = random_word();
+    move_copies_of(static_cast<ir::NodeId>(random.below(rule.nodes.size())), random_word());
+    return true;
+  }
+  void move_copies_of(ir::NodeId id, Word const& g) {
     for (ir::Arc& arc : rule.right.arcs) {
       if (arc.source == id) arc.word = group.product(g, arc.word);
       if (arc.target == id) arc.word = group.product(arc.word, group.inverse(g));
     }
-    return true;
   }
 
   /// A right arc between preserved nodes becomes matched as well, or a matched one is kept on the right.
@@ -357,6 +358,14 @@ ir::RuleScheme mutate(ir::RuleScheme const& rule, Random& random) {
     return std::move(mutation.rule);
   }
   return rule;
+}
+
+ir::RuleScheme move_added_copies(ir::RuleScheme const& rule, Random& random) {
+  Mutation moved{rule, random};
+  for (ir::NodeId id = 0; id < rule.nodes.size(); ++id) {
+    if (rule.nodes[id].added() && random.chance(50)) moved.move_copies_of(id, moved.random_word());
+  }
+  return std::move(moved.rule);
 }
 
 }  // namespace jrule::property
