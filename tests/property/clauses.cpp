@@ -65,13 +65,16 @@ struct Writer {
 }  // namespace
 
 ir::RuleScheme with_clauses(ir::RuleScheme rule, Random& random) {
-  std::vector<ir::NodeId> right;
+  std::vector<ir::NodeId> right, added;
   for (ir::NodeId s = 0; s < rule.nodes.size(); ++s) {
     if (!rule.nodes[s].deleted()) right.push_back(s);
+    if (rule.nodes[s].added()) added.push_back(s);
   }
-  for (std::size_t k = right.empty() ? 0 : random.between(1, 6); k > 0; --k) {
+  for (std::size_t k = right.empty() ? 0 : random.between(2, 8); k > 0; --k) {
     Writer writer{rule, random};
-    rule.clauses.push_back({random.pick(right), writer.any_embedding(), writer.value(), {}});
+    // New orbits are what clauses are mostly for.
+    ir::NodeId const node = random.pick(!added.empty() && random.chance(70) ? added : right);
+    rule.clauses.push_back({node, writer.any_embedding(), writer.value(), {}});
     // An orbit that gets two values is no longer accepted.
     if (!analysis::analyze(rule).accepted()) rule.clauses.pop_back();
   }

@@ -22,11 +22,11 @@ struct Drawn {
 
 using Make = ir::RuleScheme (*)(Case const&);
 
-/// Half of them with more words than rules have that somebody wrote.
+/// Mostly with more words than rules have that somebody wrote.
 ir::RuleScheme make_worded(Case const& c, std::shared_ptr<ir::Modeler const> (*modeler_of)(Model const&)) {
   ir::RuleScheme rule = make_rule(c, modeler_of);
   Random random(c.maps);
-  return random.chance(50) ? move_added_copies(rule, random) : rule;
+  return random.chance(75) ? move_added_copies(rule, random) : rule;
 }
 ir::RuleScheme make_bare(Case const& c) { return make_worded(c, bare); }
 ir::RuleScheme make_embedded(Case const& c) { return make_worded(c, embedded); }
