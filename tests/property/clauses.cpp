@@ -31,28 +31,40 @@ struct Writer {
     return group.normal_form(word);
   }
 
-  ir::NodeId left_node() {
+  ir::ExprPtr walked(ir::ExprPtr const& from) {
+    Word const word = path();
+    return word.empty() ? from : expr(ir::Walk{from, word}, ir::dart_type);
+  }
+  ir::ExprPtr left_dart() {
     std::vector<ir::NodeId> left;
     for (ir::NodeId s = 0; s < rule.nodes.size(); ++s) {
       if (!rule.nodes[s].added()) left.push_back(s);
     }
-    return random.pick(left);
+    return walked(expr(ir::NodeDart{random.pick(left)}, ir::dart_type));
+  }
+  ir::ExprPtr value_at(ir::ExprPtr const& dart) { return expr(ir::ValueAt{any_embedding(), dart}, integer); }
+
+  /// Each dart of some orbit.
+  ir::Darts darts() {
+    std::vector<int> dimensions;
+    for (int const d : rule.model().dimensions) {
+      if (random.chance(50)) dimensions.push_back(d);
+    }
+    return {left_dart(), orbit_of_dimensions(dimensions), {}};
   }
 
   ir::ExprPtr number() {
-    std::size_t const kind = rule.hooks.empty() ? 0 : random.below(4);
-    if (kind == 0) return expr(ir::Constant{Value(static_cast<std::int64_t>(random.below(1000)))}, integer);
-    if (kind == 1) {
-      // One value for each dart of some orbit.
-      std::vector<int> dimensions;
-      for (int const d : rule.model().dimensions) {
-        if (random.chance(50)) dimensions.push_back(d);
+    switch (rule.hooks.empty() ? 0 : random.below(5)) {
+      case 0: return expr(ir::Constant{Value(static_cast<std::int64_t>(random.below(1000)))}, integer);
+      case 1:
+        return expr(ir::Apply{ir::Builtin::sum, {expr(ir::Collect{any_embedding(), darts()}, integers)}}, integer);
+      case 2: {
+        ir::Bound const dart{0, "d"};
+        ir::ExprPtr const element = value_at(walked(expr(dart, ir::dart_type)));
+        return expr(ir::Apply{ir::Builtin::sum, {expr(ir::ForEach{dart, darts(), element}, integers)}}, integer);
       }
-      ir::Collect const values{any_embedding(), left_node(), path(), orbit_of_dimensions(dimensions), {}};
-      ir::Builtin const aggregate = random.chance(50) ? ir::Builtin::sum : ir::Builtin::count;
-      return expr(ir::Apply{aggregate, {expr(values, integers)}}, integer);
+      default: return value_at(left_dart());
     }
-    return expr(ir::ValueAt{any_embedding(), left_node(), path()}, integer);
   }
 
   ir::ExprPtr value() {
