@@ -363,7 +363,14 @@ ir::RuleScheme mutate(ir::RuleScheme const& rule, Random& random) {
 ir::RuleScheme move_added_copies(ir::RuleScheme const& rule, Random& random) {
   Mutation moved{rule, random};
   for (ir::NodeId id = 0; id < rule.nodes.size(); ++id) {
-    if (rule.nodes[id].added() && random.chance(50)) moved.move_copies_of(id, moved.random_word());
+    if (!rule.nodes[id].added() || rule.hook_type.empty() || random.chance(50)) continue;
+    // Of letters that the pattern is closed under: others would make another, larger pattern of it.
+    Word word;
+    for (std::size_t k = random.between(1, 3); k > 0; --k) {
+      int const d = random.pick(rule.hook_type).dimension;
+      word.push_back({static_cast<std::uint8_t>(d), rule.model().is_oriented(d) && random.chance(50)});
+    }
+    moved.move_copies_of(id, moved.group.normal_form(word));
   }
   return std::move(moved.rule);
 }

@@ -5,6 +5,7 @@
 #include "tests/property/application.h"
 #include "tests/property/cases.h"
 #include "tests/property/models.h"
+#include "tests/property/mutation.h"
 
 namespace jrule::property {
 
@@ -66,6 +67,24 @@ TEST(AcceptedRule, GivesMapsOfTheModelAndWhatTheReferenceEngineGives) {
 
 TEST(AcceptedRule, GivesEachOrbitOneValue) {
   check_accepted("an accepted rule gives each orbit one value", embedded, examine_values);
+}
+
+// Whether a copy is called (u, s) or (u·g, s) is nothing that a verdict may depend on.
+TEST(AcceptedRule, StaysAcceptedWithTheCopiesOfAddedNodesMoved) {
+  int accepted = 0;
+  bool const holds = rc::check("a rule is accepted iff it is with the copies of added nodes moved", [&] {
+    Case const c = *cases();
+    ir::RuleScheme const rule = make_rule(c, bare);
+    Random random(c.maps);
+    ir::RuleScheme const moved = move_added_copies(rule, random);
+    auto const fault = ir::verify(moved);
+    if (fault) RC_FAIL(*fault);
+    bool const is_accepted = analysis::analyze(rule).accepted();
+    if (is_accepted != analysis::analyze(moved).accepted()) RC_FAIL(ir::print(rule) + ir::print(moved));
+    accepted += is_accepted;
+  });
+  EXPECT_TRUE(holds);
+  EXPECT_GE(accepted, case_count() / 6);
 }
 
 }  // namespace jrule::property
