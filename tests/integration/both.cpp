@@ -8,7 +8,7 @@ namespace jrule::test {
 Module::Module(std::string const& path) {
   source::Sources sources;
   source::Diagnostics diagnostics;
-  sema::Modules const modules = sema::load(path, {}, sources, diagnostics);
+  sema::Modules const modules = sema::load(path, {JRULE_SOURCE_DIR "/stdlib", {}}, sources, diagnostics);
   ir::Program program = sema::elaborate(modules, diagnostics);
   for (ir::RuleScheme& scheme : program.rules) {
     analysis::Verdict verdict = analysis::analyze(scheme);
