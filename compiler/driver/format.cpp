@@ -1,11 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "compiler/driver/commands.h"
 #include "compiler/driver/report.h"
+#include "compiler/source/read.h"
 #include "compiler/syntax/format.h"
 #include "compiler/syntax/parse.h"
 #include "jrule/io.h"
@@ -15,25 +14,20 @@ namespace jrule::driver {
 namespace {
 
 int format_file(std::string const& path, FormatOptions const& options) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) {
-    print_error(fmt::format("cannot read `{}`", path));
-    return exit_usage;
-  }
-  std::string const text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  if (in.bad()) {
-    print_error(fmt::format("cannot read `{}`", path));
+  auto const text = source::read_file(path);
+  if (!text) {
+    print_error(fmt::format("cannot read `{}`: {}", path, text.error()));
     return exit_usage;
   }
   source::Sources sources;
   source::Diagnostics diagnostics;
-  syntax::parse(sources, sources.add(path, text), diagnostics);
+  syntax::parse(sources, sources.add(path, *text), diagnostics);
   if (diagnostics.has_errors()) {
     print(sources, diagnostics, options.common);
     return exit_refused;
   }
-  std::string const formatted = syntax::format(text);
-  if (formatted == text) return exit_ok;
+  std::string const formatted = syntax::format(*text);
+  if (formatted == *text) return exit_ok;
   if (options.check) {
     fmt::print("{}: not in the canonical layout\n", path);
     return exit_refused;

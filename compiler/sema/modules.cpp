@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <system_error>
 
+#include "compiler/source/read.h"
 #include "compiler/syntax/parse.h"
 
 namespace jrule::sema {
@@ -24,25 +23,6 @@ struct Loader {
   source::Diagnostics& diagnostics;
   Modules result;
   std::map<std::string, bool> finished;  // by canonical path; false while its imports are being read
-
-  static std::optional<std::string> read(std::string const& path, std::string& why) {
-    std::error_code error;
-    if (fs::is_directory(path, error)) {
-      why = "is a folder";
-      return {};
-    }
-    std::ifstream in(path, std::ios::binary);
-    if (!in) {
-      why = std::generic_category().message(errno);
-      return {};
-    }
-    std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-    if (in.bad()) {
-      why = "reading failed";
-      return {};
-    }
-    return text;
-  }
 
   static std::string key(std::string const& path) {
     std::error_code error;
@@ -69,10 +49,9 @@ struct Loader {
   }
 
   void load(std::string const& path, std::string name, source::Span at) {
-    std::string why;
-    std::optional<std::string> text = read(path, why);
+    auto text = source::read_file(path);
     if (!text) {
-      diagnostics.add({.code = Code::cannot_read_file, .span = at, .message = fmt::format("cannot read `{}`: {}", path, why)});
+      diagnostics.add({.code = Code::cannot_read_file, .span = at, .message = fmt::format("cannot read `{}`: {}", path, text.error())});
       return;
     }
     std::string const id = key(path);
