@@ -42,22 +42,6 @@ Builtin builtin_of(ast::BinaryOp op) {
   return builtins[static_cast<std::size_t>(op)];
 }
 
-/// The generators of ⟨a ∩ b⟩: those of each that lie in the other. Exact for sets of dimensions.
-OrbitType intersection(algebra::Group const& group, OrbitType const& a, OrbitType const& b) {
-  OrbitType result;
-  auto const add_common = [&](OrbitType const& from, OrbitType const& other) {
-    for (Word const& written : from.words) {
-      Word word = group.normal_form(written);
-      bool const known = std::any_of(result.words.begin(), result.words.end(),
-                                     [&](Word const& w) { return w == word || w == group.inverse(word); });
-      if (!word.empty() && !known && group.in_orbit(word, other)) result.words.push_back(std::move(word));
-    }
-  };
-  add_common(a, b);
-  add_common(b, a);
-  return result;
-}
-
 // Recursive: the parser bounds the depth of an expression.
 class Checker {
  public:
@@ -205,7 +189,7 @@ class Checker {
              fmt::format("the orbits {} do not lie inside {}", jrule::to_string(*by), jrule::to_string(*orbit)),
              {{expr.type.span, "this is the orbit that is walked"}},
              {fmt::format("`by` takes one dart for each of the smaller orbits; those of {} inside are {}",
-                          jrule::to_string(*by), jrule::to_string(intersection(*context_.group, *orbit, *by)))});
+                          jrule::to_string(*by), jrule::to_string(common_orbit(*context_.group, *orbit, *by)))});
       return {};
     }
     return ir::Darts{std::move(start), *orbit, *by};
@@ -232,7 +216,7 @@ class Checker {
       EmbeddingSpec const& spec = context_.rule->modeler->embeddings[*embedding];
       ExprType type = context_.rule->modeler->value_type(*embedding);
       type.list = true;
-      if (!orbit->by) over->by = intersection(*context_.group, over->orbit, spec.orbit);  // each value once
+      if (!orbit->by) over->by = common_orbit(*context_.group, over->orbit, spec.orbit);  // each value once
       return make(std::move(type), ir::Collect{*embedding, std::move(*over)}, span);
     }
     ExprPtr base = check(*member.base);
@@ -452,6 +436,21 @@ class Checker {
 };
 
 }  // namespace
+
+OrbitType common_orbit(algebra::Group const& group, OrbitType const& a, OrbitType const& b) {
+  OrbitType result;
+  auto const add_common = [&](OrbitType const& from, OrbitType const& other) {
+    for (Word const& written : from.words) {
+      Word word = group.normal_form(written);
+      bool const known = std::any_of(result.words.begin(), result.words.end(),
+                                     [&](Word const& w) { return w == word || w == group.inverse(word); });
+      if (!word.empty() && !known && group.in_orbit(word, other)) result.words.push_back(std::move(word));
+    }
+  };
+  add_common(a, b);
+  add_common(b, a);
+  return result;
+}
 
 ExprPtr check_expression(ast::Expr const& expr, ExprContext const& context, std::optional<ExprType> expected,
                          Diagnostics& diagnostics) {

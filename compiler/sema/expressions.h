@@ -27,4 +27,8 @@ struct ExprContext {
 ir::ExprPtr check_expression(ast::Expr const& expr, ExprContext const& context, std::optional<ir::ExprType> expected,
                              source::Diagnostics& diagnostics);
 
+/// The generators of ⟨a ∩ b⟩: those of each that lie in the other. Exact for sets of dimensions. The `by` of an ir::Collect is
+/// that of its orbit and the embedding's, where none is written.
+OrbitType common_orbit(algebra::Group const& group, OrbitType const& a, OrbitType const& b);
+
 }  // namespace jrule::sema
