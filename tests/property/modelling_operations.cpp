@@ -191,16 +191,16 @@ Result dual_of_oriented(Modeler const& modeler, Random& random) {
   Result rule = random.pick(all)(primal, random);
   if (!rule) return none;
   algebra::Group const group(modeler->model);
-  auto const rename = [&](Word& word) {
-    for (Letter& l : word) l.dimension = static_cast<std::uint8_t>(n + 1 - l.dimension);
-    word = group.normal_form(word);
+  auto const dual = [&](std::vector<Letter> letters) {
+    for (Letter& l : letters) l.dimension = static_cast<std::uint8_t>(n + 1 - l.dimension);
+    return letters;
   };
   rule->modeler = modeler;
-  rename(rule->hook_type);
+  rule->hook_type = dual(rule->hook_type);
   for (ir::Side* side : {&rule->left, &rule->right}) {
     for (ir::Arc& arc : side->arcs) {
       arc.dimension = n + 1 - arc.dimension;
-      rename(arc.word);
+      arc.word = group.normal_form(dual(arc.word));
     }
   }
   return rule;
