@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
-#include <charconv>
 #include <stdexcept>
 
 #include "compiler/backend/draw/draw.h"
 #include "compiler/backend/interpreter/interpreter.h"
 #include "compiler/driver/arguments.h"
 #include "compiler/driver/compile.h"
+#include "compiler/driver/reference.h"
 #include "compiler/driver/report.h"
 #include "compiler/driver/selection.h"
 #include "compiler/driver/summary.h"
@@ -16,31 +16,6 @@
 namespace jrule::driver {
 
 namespace {
-
-// FILE:RULE or FILE:RULE[2,1]
-struct RuleReference {
-  std::string file, rule;
-  std::vector<int> dimensions;
-};
-
-std::optional<RuleReference> parse_reference(std::string const& text) {
-  std::size_t const colon = text.rfind(':');
-  if (colon == std::string::npos || colon == 0 || colon + 1 == text.size()) return {};
-  RuleReference reference{text.substr(0, colon), text.substr(colon + 1), {}};
-  std::size_t const bracket = reference.rule.find('[');
-  if (bracket == std::string::npos) return reference;
-  if (!reference.rule.ends_with(']')) return {};
-  std::string_view rest = std::string_view(reference.rule).substr(bracket + 1);
-  while (!rest.empty()) {
-    int d = 0;
-    auto const [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), d);
-    if (error != std::errc{} || (*end != ',' && *end != ']')) return {};
-    reference.dimensions.push_back(d);
-    rest.remove_prefix(static_cast<std::size_t>(end - rest.data()) + 1);
-  }
-  reference.rule.resize(bracket);
-  return reference;
-}
 
 Result<Map> read_input(ApplyOptions const& options, ir::RuleScheme const& rule) {
   if (!options.in.empty()) return read_map(options.in, rule.model(), rule.modeler->embeddings);

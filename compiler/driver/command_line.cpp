@@ -42,10 +42,11 @@ int run(int argc, char const* const* argv) {
   EmitOptions emit_options;
   CLI::App& emit_command = *app.add_subcommand("emit", "show a stage of the compilation, or write C++");
   add_common(emit_command, emit_options.common);
-  emit_command.add_option("STAGE", emit_options.stage, "ast, ir, cpp, dot, svg or certificate")
+  emit_command.add_option("STAGE", emit_options.stage, "ast, ir, jrule, cpp, dot, svg or certificate; jrule: the rules as one source file")
       ->required()
-      ->check(CLI::IsMember({"ast", "ir", "cpp", "dot", "svg", "certificate"}));
-  emit_command.add_option("FILE", emit_options.file, "source file")->required();
+      ->check(CLI::IsMember({"ast", "ir", "jrule", "cpp", "dot", "svg", "certificate"}));
+  emit_command.add_option("FILE", emit_options.file, "source file, or FILE:RULE for one rule, e.g. basic.jrule:sew[2]")->required();
+  emit_command.add_option("--dimension", emit_options.dimension, "the n of a RULE on gmap(n)")->type_name("N");
   emit_command.add_option("-o,--output", emit_options.directory, "folder to write to instead of standard output")->type_name("DIR");
   emit_command.add_option("--depfile", emit_options.depfile, "write the files that were read, for the build system")->type_name("FILE");
   emit_command.add_flag("--write-if-changed", emit_options.write_if_changed, "leave files alone whose content stays the same");

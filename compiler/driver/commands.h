@@ -1,6 +1,7 @@
 // The subcommands of `jrule`, each in its own file: options in, exit status out. Only this folder prints.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,9 @@ int check(CheckOptions const& options);
 
 struct EmitOptions {
   Common common;
-  std::string stage;  ///< ast, ir, cpp, dot, svg, certificate
-  std::string file;
+  std::string stage;  ///< ast, ir, jrule, cpp, dot, svg, certificate
+  std::string file;   ///< or FILE:RULE: that rule alone
+  std::optional<int> dimension;  ///< the n of a rule on `gmap(n)`
   std::string directory;  ///< -o; empty: standard output
   std::string depfile;    ///< a make-style file of what was read; only with -o
   bool write_if_changed = false;

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -8,7 +9,9 @@
 #include "compiler/analysis/certify.h"
 #include "compiler/backend/cpp/emit.h"
 #include "compiler/backend/draw/draw.h"
+#include "compiler/backend/text/print_jrule.h"
 #include "compiler/driver/compile.h"
+#include "compiler/driver/reference.h"
 #include "compiler/driver/report.h"
 #include "compiler/syntax/format.h"
 #include "jrule/io.h"
@@ -26,13 +29,12 @@ struct Output {
 
 std::string file_name(std::string const& rule, std::string const& suffix) {
   std::string name = rule + suffix;
-  for (char& c : name) {
-    if (c == '[' || c == ']' || c == ',') c = '_';
-  }
+  std::erase(name, ']');
+  std::replace_if(name.begin(), name.end(), [](char c) { return c == '[' || c == ','; }, '_');
   return name;
 }
 
-std::vector<Output> produce(EmitOptions const& options, Compilation& compilation) {
+std::vector<Output> produce(EmitOptions const& options, Compilation& compilation, bool one_rule) {
   std::vector<Output> outputs;
   ir::Program const& program = compilation.program;
   if (options.stage == "ast") {
@@ -42,6 +44,14 @@ std::vector<Output> produce(EmitOptions const& options, Compilation& compilation
     for (auto const& modeler : program.modelers) text += ir::print(*modeler) + "\n";
     for (ir::RuleScheme const& rule : program.rules) text += ir::print(rule) + "\n";
     outputs.push_back({program.module + ".ir", std::move(text)});
+  } else if (options.stage == "jrule") {
+    auto text = text::print_jrule(program);
+    if (text) {
+      outputs.push_back({file_name(one_rule ? program.rules[0].name : program.module, ".jrule"), std::move(*text)});
+    } else {
+      compilation.diagnostics.add({.code = source::Code::unspellable_program, .span = {},
+                                   .message = fmt::format("`{}` cannot be written as one source file: {}", program.module, text.error().reason)});
+    }
   } else if (options.stage == "dot") {
     for (ir::RuleScheme const& rule : program.rules) outputs.push_back({file_name(rule.name, ".dot"), draw::rule_dot(rule)});
   } else if (options.stage == "certificate") {
@@ -58,6 +68,28 @@ std::vector<Output> produce(EmitOptions const& options, Compilation& compilation
     }
   }
   return outputs;
+}
+
+// Leaves only that rule in the program, an instance if it has dimensions. False, reported, if it is not there.
+bool keep_only(RuleReference const& reference, std::optional<int> n, Compilation& compilation) {
+  ir::Program& program = compilation.program;
+  std::vector<ir::RuleScheme> const rules = std::move(program.rules);
+  std::vector<analysis::Verdict> const verdicts = std::move(compilation.verdicts);
+  program.rules.clear();
+  compilation.verdicts.clear();
+  for (std::size_t i = 0; i < rules.size() && reference.dimensions.empty(); ++i) {
+    if (rules[i].name != reference.rule) continue;
+    program.rules.push_back(rules[i]);
+    compilation.verdicts.push_back(verdicts[i]);
+  }
+  if (program.rules.empty()) {
+    auto rule = sema::instantiate(compilation.modules, reference.rule, reference.dimensions, n, compilation.diagnostics);
+    if (!rule) return false;
+    compilation.verdicts.push_back(judge(*rule, compilation.diagnostics));
+    program.rules.push_back(std::move(*rule));
+  }
+  std::erase_if(program.modelers, [&](auto const& modeler) { return modeler->name != program.rules[0].modeler->name; });
+  return true;
 }
 
 std::string escape_for_make(std::string const& path) {
@@ -87,6 +119,13 @@ bool same_content(std::string const& path, std::string const& text) {
 
 int write(EmitOptions const& options, Compilation const& compilation, std::vector<Output> const& outputs) {
   std::error_code error;
+  for (Output const& output : outputs) {
+    for (std::string const& source : compilation.modules.paths) {
+      if (!fs::equivalent(fs::path(options.directory) / output.name, source, error)) continue;
+      print_error(fmt::format("`{}` would be overwritten: choose another folder with `-o`", source));
+      return exit_usage;
+    }
+  }
   fs::create_directories(options.directory, error);
   std::vector<std::string> targets;
   for (Output const& output : outputs) {
@@ -116,11 +155,18 @@ int emit(EmitOptions const& options) {
     print_error("`--depfile` and `--write-if-changed` need a folder to write to: `-o DIR`");
     return exit_usage;
   }
-  auto const compilation = compile(options.file, options.common);
+  // A file may have a colon in its name.
+  auto const reference = fs::exists(options.file) ? std::nullopt : parse_reference(options.file);
+  if (reference && options.stage == "ast") {
+    print_error("`emit ast` shows files, not rules");
+    return exit_usage;
+  }
+  auto const compilation = compile(reference ? reference->file : options.file, options.common);
+  bool const found = compilation->read() && (!reference || keep_only(*reference, options.dimension, *compilation));
   // What a rule looks like can be shown even if it is refused; C++ is printed only for rules that are all accepted.
   std::vector<Output> outputs;
   bool const clean = !compilation->diagnostics.has_errors();
-  if (compilation->read() && (clean || options.stage != "cpp")) outputs = produce(options, *compilation);
+  if (found && (clean || options.stage != "cpp")) outputs = produce(options, *compilation, reference.has_value());
   print(compilation->sources, compilation->diagnostics, options.common);
   int const result = status(compilation->diagnostics);
   if (options.stage == "cpp" && result != exit_ok) return result;

@@ -132,7 +132,7 @@ TEST_F(Commands, ARefusedRuleIsNotApplied) {
 }
 
 TEST_F(Commands, EmitShowsEachStage) {
-  for (std::string const stage : {"ast", "ir", "dot", "cpp", "certificate"}) {
+  for (std::string const stage : {"ast", "ir", "jrule", "dot", "cpp", "certificate"}) {
     Outcome const outcome = jrule({"emit", stage, demo("surface.jrule")});
     EXPECT_EQ(outcome.exit_status, 0) << stage << ": " << outcome.output;
     EXPECT_TRUE(contains(outcome.output, "quad_subdivision")) << stage << ": " << outcome.output;
@@ -141,6 +141,47 @@ TEST_F(Commands, EmitShowsEachStage) {
   EXPECT_EQ(svg.exit_status, 2);
   EXPECT_TRUE(contains(svg.output, "[J0902]")) << svg.output;
   EXPECT_EQ(jrule({"emit", "soup", demo("surface.jrule")}).exit_status, 2);
+}
+
+TEST_F(Commands, EmitJruleWritesRulesOfTheSameVerdict) {
+  for (std::string const name : {"surface.jrule", "halfedges.jrule", "wrong.jrule"}) {
+    Outcome const before = jrule({"check", demo(name)});
+    EXPECT_EQ(jrule({"emit", "jrule", demo(name), "-o", "out"}).exit_status, before.exit_status);
+    Outcome const after = jrule({"check", "out/" + name});
+    EXPECT_EQ(after.exit_status, before.exit_status) << after.output;
+    EXPECT_EQ(jrule({"fmt", "--check", "out/" + name}).exit_status, 0);
+    jrule({"emit", "ir", demo(name), "-o", "before"});
+    jrule({"emit", "ir", "out/" + name, "-o", "after"});
+    std::string const ir = name.substr(0, name.find('.')) + ".ir";
+    EXPECT_TRUE(contains(content("before/" + ir), "rule "));
+    EXPECT_EQ(content("after/" + ir), content("before/" + ir));
+  }
+}
+
+TEST_F(Commands, EmitJruleShowsAnInstance) {
+  std::string const sew = JRULE_SOURCE_DIR "/stdlib/std/basic.jrule:sew[2]";
+  EXPECT_EQ(jrule({"emit", "jrule", sew, "--dimension", "3", "-o", "."}).exit_status, 0);
+  EXPECT_EQ(files(), std::vector<std::string>{"sew_2.jrule"});
+  EXPECT_TRUE(contains(content("sew_2.jrule"), "rule sew_2 on gmap(3) {")) << content("sew_2.jrule");
+  EXPECT_TRUE(contains(content("sew_2.jrule"), "hook a <0>;")) << content("sew_2.jrule");
+  EXPECT_EQ(jrule({"check", "sew_2.jrule"}).exit_status, 0);
+  EXPECT_EQ(jrule({"emit", "ast", sew}).exit_status, 2);
+  EXPECT_EQ(jrule({"emit", "jrule", JRULE_SOURCE_DIR "/stdlib/std/basic.jrule:seww[2]"}).exit_status, 1);
+}
+
+TEST_F(Commands, EmitJruleRefusesWhatItCannotWrite) {
+  file("gaps.jrule", "model gaps(n) { dimensions 0..n-2, n+3; }\nmodeler Low on gaps(2);\nmodeler High on gaps(6);\n");
+  Outcome const outcome = jrule({"emit", "jrule", "gaps.jrule", "-o", "out"});
+  EXPECT_EQ(outcome.exit_status, 1);
+  EXPECT_TRUE(contains(outcome.output, "[J0904]")) << outcome.output;
+}
+
+TEST_F(Commands, EmitNeverOverwritesASource) {
+  file("surface.jrule", read(demo("surface.jrule")));
+  Outcome const outcome = jrule({"emit", "jrule", "surface.jrule", "-o", "."});
+  EXPECT_EQ(outcome.exit_status, 2);
+  EXPECT_TRUE(contains(outcome.output, "`surface.jrule` would be overwritten")) << outcome.output;
+  EXPECT_EQ(content("surface.jrule"), read(demo("surface.jrule")));
 }
 
 TEST_F(Commands, EmitCertificateLeavesRefusedRulesOut) {
