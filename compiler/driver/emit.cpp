@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 #include "compiler/analysis/certify.h"
@@ -13,6 +11,7 @@
 #include "compiler/driver/compile.h"
 #include "compiler/driver/reference.h"
 #include "compiler/driver/report.h"
+#include "compiler/source/read.h"
 #include "compiler/syntax/format.h"
 #include "jrule/io.h"
 
@@ -111,10 +110,8 @@ std::string depfile_text(std::vector<std::string> const& targets, std::vector<st
 }
 
 bool same_content(std::string const& path, std::string const& text) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return false;
-  std::string const old((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  return old == text;
+  auto const old = source::read_file(path);
+  return old && *old == text;
 }
 
 int write(EmitOptions const& options, Compilation const& compilation, std::vector<Output> const& outputs) {
