@@ -248,11 +248,13 @@ struct Comparison {
   bool same_value(ir::ValueAt const& a, ir::ValueAt const& b, Order) const {
     return a.embedding == b.embedding && same_orbit(*a.at, *b.at, rule.modeler->embeddings[a.embedding].orbit);
   }
+  // As a comprehension, it takes one dart of each ⟨by⟩-orbit: unless it starts at the same dart, all of those have to have its value.
   bool same_value(ir::Collect const& a, ir::Collect const& b, Order order) const {
     OrbitType const& orbit = rule.modeler->embeddings[a.embedding].orbit;
     if (a.embedding != b.embedding) return false;
-    if (order == Order::none && same_elements(a.over, b.over, orbit)) return true;
-    return same_darts(a.over, b.over, order, [&](Word const& word) { return group.in_orbit(word, orbit); });
+    auto const keeps = [&](Word const& word) { return group.in_orbit(word, orbit); };
+    if (!same_dart(*a.over.at, *b.over.at) && !std::all_of(a.over.by.words.begin(), a.over.by.words.end(), keeps)) return false;
+    return (order == Order::none && same_elements(a.over, b.over, orbit)) || same_darts(a.over, b.over, order, keeps);
   }
   bool same_value(ir::ForEach const& a, ir::ForEach const& b, Order order) const { return same_comprehension(a, b, order); }
   bool same_value(ir::Apply const& a, ir::Apply const& b, Order) const { return same_applications(a, b); }

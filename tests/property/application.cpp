@@ -97,7 +97,8 @@ Map with_values(ir::Modeler const& modeler, Map const& bare) {
     for (Dart d = 0; d < map.dart_limit(); ++d) {
       auto const number = orbits.number[d];
       auto const [known, is_new] = handles.emplace(number, no_handle);
-      if (is_new) known->second = embedding.add(Value(std::int64_t{number}));
+      double const components[] = {static_cast<double>(number)};
+      if (is_new) known->second = embedding.add(from_components(embedding.spec().type, components));
       embedding.set_handle(d, known->second);
     }
   }

@@ -46,11 +46,18 @@ std::shared_ptr<ir::Modeler const> bare(Model const& model) {
   return modeler;
 }
 
-std::shared_ptr<ir::Modeler const> embedded(Model const& model) {
+namespace {
+
+/// How a modeler declares its k-th embedding, apart from the name and the orbit.
+using Declare = EmbeddingSpec (*)(std::size_t k);
+
+std::shared_ptr<ir::Modeler const> with_embeddings(Model const& model, Declare declare) {
   auto modeler = std::make_shared<ir::Modeler>(*bare(model));
   auto const add = [&](std::string name, OrbitType orbit) {
-    modeler->embeddings.push_back(
-        {std::move(name), std::move(orbit), Type::Int, Value(std::int64_t{-1}), MergePolicy::first});
+    EmbeddingSpec spec = declare(modeler->embeddings.size());
+    spec.name = std::move(name);
+    spec.orbit = std::move(orbit);
+    modeler->embeddings.push_back(std::move(spec));
     modeler->embedding_docs.emplace_back();
     modeler->embedding_spans.emplace_back();
   };
@@ -66,6 +73,26 @@ std::shared_ptr<ir::Modeler const> embedded(Model const& model) {
     add("there_and_on", OrbitType{{{{first, false}, {last, false}}}});
   }
   return modeler;
+}
+
+EmbeddingSpec integer(MergePolicy merge) { return {"", {}, Type::Int, Value(std::int64_t{-1}), merge}; }
+
+}  // namespace
+
+std::shared_ptr<ir::Modeler const> embedded(Model const& model) {
+  return with_embeddings(model, [](std::size_t) { return integer(MergePolicy::first); });
+}
+
+std::shared_ptr<ir::Modeler const> merging(Model const& model) {
+  return with_embeddings(model, [](std::size_t k) {
+    switch (k % 5) {
+      case 0: return EmbeddingSpec{"", {}, Type::Real, Value(-1.0), MergePolicy::mean};
+      case 1: return integer(MergePolicy::min);
+      case 2: return integer(MergePolicy::max);
+      case 3: return integer(MergePolicy::first);
+      default: return integer(MergePolicy::none);
+    }
+  });
 }
 
 }  // namespace jrule::property

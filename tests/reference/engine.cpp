@@ -180,7 +180,7 @@ struct Engine {
     }
     if (auto const arc = dangling(left, *m, deleted)) return Failure(*arc);
 
-    Derivation derivation{g, {}};
+    Derivation derivation{g, {}, *m};
     PlainMap& h = derivation.result;
     for (ProductArc const& arc : left) {
       if (!arc.preserved) std::erase(h.targets.at(m->at(arc.source)).at(arc.dimension), m->at(arc.target));

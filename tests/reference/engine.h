@@ -20,6 +20,7 @@ using Copy = std::pair<Dart, ir::NodeId>;
 struct Derivation {
   PlainMap result;              ///< H of G ⇒ H
   std::map<Copy, Dart> copies;  ///< m': where the nodes of ι(R, P) lie in H
+  std::map<Copy, Dart> match;   ///< m: where the nodes of ι(L, P) lie in G
 };
 
 /// The direct derivation G ⇒ H at these darts, one for each hook; else why there is none. `map` must satisfy the incident-arcs
