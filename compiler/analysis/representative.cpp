@@ -10,9 +10,10 @@ using ir::Builtin;
 using ir::Expr;
 using ir::ExprPtr;
 
-/// What of the order of a list its reader depends on.
+/// What of a list, apart from which values are in it, its reader depends on; of each one also on what comes before.
 enum class Order {
-  none,    ///< mean, sum, count, …
+  shares,  ///< how many of its values are a given one, in proportion: mean, min, all, …
+  none,    ///< how many: sum, count
   cyclic,  ///< the sense of rotation: the area vector of a face
   exact,   ///< first
 };
@@ -98,11 +99,22 @@ struct Comparison {
     return commute ? all : std::vector<Word>{};
   }
 
-  // Dart by dart, the values of both orbits are the same.
-  bool same_elements(ir::Darts const& a, ir::Darts const& b, OrbitType const& value_orbit) const {
+  // Are there as many darts in the one list as in the other? Either there is one, or where paths of the orbit meet from the one
+  // dart, they do so from the other.
+  bool same_number(ir::Darts const& darts, Place const& from, Place const& to) const {
+    auto const all = [](OrbitType const& orbit, auto const& holds) { return std::all_of(orbit.words.begin(), orbit.words.end(), holds); };
+    if (all(darts.orbit, [&](Word const& o) { return group.in_orbit(o, darts.by); })) return true;
+    auto const between_them = between(from, to);
+    auto const commutes = [&](Word const& o) { return group.product(*between_them, o) == group.product(o, *between_them); };
+    return between_them && all(darts.orbit, commutes) && all(darts.by, commutes);
+  }
+
+  // Dart by dart, the values of both orbits are the same. In each of the two, as many paths lead to any dart as to any other.
+  bool same_elements(ir::Darts const& a, ir::Darts const& b, OrbitType const& value_orbit, Order order) const {
     auto const from = place(*a.at, false), to = place(*b.at, true);
     auto const all = elements(a.orbit);
-    if (!from || !to || all.empty() || a.orbit != b.orbit || a.by != b.by) return false;
+    if (order > Order::none || !from || !to || all.empty() || a.orbit != b.orbit || a.by != b.by) return false;
+    if (order == Order::none && !same_number(a, *from, *to)) return false;
     return std::all_of(all.begin(), all.end(), [&](Word const& o) {
       Place x = *from, y = *to;
       x.word = group.product(x.word, o);
@@ -155,7 +167,7 @@ struct Comparison {
       inner.bound_shift[level] = word;
       return inner.same(*a.element, *a.element, Order::none);
     };
-    return order == Order::none && same_darts(a.over, b.over, order, keeps) &&
+    return order <= Order::none && same_darts(a.over, b.over, order, keeps) &&
            std::all_of(a.over.by.words.begin(), a.over.by.words.end(), keeps);
   }
 
@@ -186,7 +198,12 @@ struct Comparison {
 
   // Of the lists among its arguments. Of an area vector that is read only for its length, the sense of rotation plays no part.
   static Order order_of(ir::Apply const& apply) {
-    return apply.function == Builtin::first ? Order::exact : apply.function == Builtin::area_vector ? Order::cyclic : Order::none;
+    switch (apply.function) {
+      case Builtin::first: return Order::exact;
+      case Builtin::area_vector: return Order::cyclic;
+      case Builtin::mean: case Builtin::min: case Builtin::max: case Builtin::all: case Builtin::any: return Order::shares;
+      default: return Order::none;
+    }
   }
   bool same_length(Expr const& a, Expr const& b) const {
     auto const *x = std::get_if<ir::Apply>(&a.value), *y = std::get_if<ir::Apply>(&b.value);
@@ -254,7 +271,7 @@ struct Comparison {
     if (a.embedding != b.embedding) return false;
     auto const keeps = [&](Word const& word) { return group.in_orbit(word, orbit); };
     if (!same_dart(*a.over.at, *b.over.at) && !std::all_of(a.over.by.words.begin(), a.over.by.words.end(), keeps)) return false;
-    return (order == Order::none && same_elements(a.over, b.over, orbit)) || same_darts(a.over, b.over, order, keeps);
+    return same_elements(a.over, b.over, orbit, order) || same_darts(a.over, b.over, order, keeps);
   }
   bool same_value(ir::ForEach const& a, ir::ForEach const& b, Order order) const { return same_comprehension(a, b, order); }
   bool same_value(ir::Apply const& a, ir::Apply const& b, Order) const { return same_applications(a, b); }
