@@ -3,6 +3,7 @@
 
 #include "tests/property/rule_builder.h"
 #include "tests/reference/engine.h"
+#include "tests/reference/values.h"
 
 namespace jrule::reference {
 
@@ -103,6 +104,48 @@ TEST(ReferenceEngine, ShowsWhatAnUnsoundRuleDoes) {
   auto const derivation = derive(rule.build(), map, {0});
   ASSERT_TRUE(derivation);
   EXPECT_EQ(violation(derivation->result, gmap(2)), "the path 0202 from dart 0 does not return");
+}
+
+/// Sews a dart of an O-map to the next one, and adds a dart whose face gets its value from a clause.
+TEST(ReferenceValues, OfKeptMergedAndNewOrbitsAndOfClauses) {
+  auto modeler = std::make_shared<ir::Modeler>();
+  modeler->model = omap(2);
+  modeler->embeddings = {{"edge", orbit_of_dimensions({2}), Type::Real, Value(-1.0), MergePolicy::mean},
+                         {"face", orbit_of_dimensions({1}), Type::Int, Value(std::int64_t{-1}), MergePolicy::first}};
+  RuleBuilder rule(modeler, "sew_and_more", {});
+  ir::NodeId const a = rule.hook(On::both), b = rule.node(On::both), c = rule.node(On::right);
+  rule.arc(On::both, a, 1, b).loops(On::left, a, {2}).loops(On::left, b, {2}).arc(On::right, a, 2, b);
+  rule.loops(On::right, c, {1, 2});
+  ir::RuleScheme scheme = rule.build();
+  // The value of the face behind b, plus one.
+  auto const expr = [](auto node, ir::ExprType type) {
+    return std::make_shared<ir::Expr const>(ir::Expr{type, std::move(node), {}});
+  };
+  ir::ExprType const integer{Type::Int, false, false};
+  auto const next = expr(ir::Walk{expr(ir::NodeDart{b}, ir::dart_type), word(1)}, ir::dart_type);
+  scheme.clauses.push_back(
+      {c, 1,
+       expr(ir::Apply{ir::Builtin::add, {expr(ir::ValueAt{1, next}, integer), expr(ir::Constant{std::int64_t{1}}, integer)}},
+            integer),
+       {}});
+  PlainMap const map = ring(3);
+  PlainValues const values{{{0, 10.0}, {1, 20.0}, {2, 60.0}},
+                           {{0, std::int64_t{5}}, {1, std::int64_t{5}}, {2, std::int64_t{5}}}};
+  auto const derivation = derive(scheme, map, {0});
+  ASSERT_TRUE(derivation);
+  auto const orbits = orbit_values(scheme, map, values, *derivation);
+  ASSERT_EQ(orbits.size(), 5U);
+  using Source = OrbitValues::Source;
+  auto const expect = [&](std::size_t o, Source source, std::vector<Dart> const& darts, Value const& value) {
+    EXPECT_EQ(orbits[o].source, source);
+    EXPECT_EQ(orbits[o].darts, darts);
+    EXPECT_EQ(orbits[o].allowed, std::vector<Value>{value});
+  };
+  expect(0, Source::merged, {0, 1}, 15.0);
+  expect(1, Source::kept, {2}, 60.0);
+  expect(2, Source::fresh, {3}, -1.0);
+  expect(3, Source::kept, {0, 1, 2}, std::int64_t{5});
+  expect(4, Source::clause, {3}, std::int64_t{6});
 }
 
 TEST(PlainMap, ViolationsOfEveryKind) {
