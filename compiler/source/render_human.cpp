@@ -218,7 +218,7 @@ std::string first_line(Sources const& sources, Diagnostic const& diagnostic, Pai
   if (auto const range = range_of(sources, diagnostic.span)) {
     place += fmt::format(":{}:{}", range->begin.line, range->begin.column);
   }
-  return fmt::format("{} {} {}\n", painter.bold(place + ":"), painter.problem(fmt::format("{}:", word(code.severity))),
+  return fmt::format("{} {} {}\n", painter.bold(place + ":"), painter.problem(fmt::format("{}:", word(severity(diagnostic)))),
                      painter.bold(fmt::format("{} [{}]", printable(diagnostic.message), code.number)));
 }
 

@@ -26,6 +26,26 @@ TEST_F(Commands, CheckPrintsOneJsonObjectALine) {
   EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 2) << outcome.output;  // b lacks 0 and 2
 }
 
+TEST_F(Commands, WarningsAreErrorsIfTheUserSaysSo) {
+  file("split.jrule",
+       "modeler M on gmap(2) { embedding position : vertex -> Point3; }\n"
+       "rule split on M { left { hook a <0,2>; } right { a <_,2>; b <1,2> { position = a.position; } a -0- b; } }\n");
+  Outcome const warned = jrule({"check", "split.jrule"});
+  EXPECT_EQ(warned.exit_status, 0);
+  EXPECT_TRUE(warned.output.find("split.jrule:2:80: warning: ") != std::string::npos) << warned.output;
+  EXPECT_TRUE(contains(warned.output, "[J0411]\n")) << warned.output;
+  EXPECT_TRUE(contains(warned.output, "split.jrule: 1 rule accepted, 1 warning\n")) << warned.output;
+  Outcome const refused = jrule({"check", "-Werror", "split.jrule"});
+  EXPECT_EQ(refused.exit_status, 1);
+  EXPECT_TRUE(contains(refused.output, "split.jrule:2:80: error: ")) << refused.output;
+  EXPECT_TRUE(contains(refused.output, "split.jrule: 1 rule accepted, 1 error\n")) << refused.output;
+  Outcome const as_json = jrule({"check", "-Werror", "--message-format", "json", "split.jrule"});
+  EXPECT_TRUE(contains(as_json.output, R"("code":"J0411","severity":"error")")) << as_json.output;
+  EXPECT_EQ(jrule({"emit", "cpp", "-Werror", "split.jrule", "-o", "out"}).exit_status, 1);
+  EXPECT_EQ(files(), std::vector<std::string>{"split.jrule"});
+  EXPECT_EQ(jrule({"check", "-Wall", "split.jrule"}).exit_status, 2);
+}
+
 TEST_F(Commands, QuadSubdivisionOfTheBunny) {
   Outcome const outcome = jrule({"apply", demo("surface.jrule") + ":quad_subdivision", "--in", bunny(), "--out", "quads.obj", "--stats", "json"});
   EXPECT_EQ(outcome.exit_status, 0) << outcome.output;
