@@ -24,6 +24,7 @@
 #include "compiler/algebra/group.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <deque>
 #include <set>
@@ -51,39 +52,42 @@ RightAngledCoxeterGroup coxeter_group(Model const& model) {
   return w;
 }
 
-/// The class B, as bits; none if the graph of the exchangeable pairs of oriented dimensions is not bipartite.
+/// The class B, as bits; none if the graph of the exchangeable pairs of oriented dimensions is not bipartite. Each part of the
+/// graph is coloured from its first dimension, which is in A.
 std::optional<std::uint16_t> second_class(Model const& model) {
-  std::uint16_t first = 0, second = 0;
-  for (int const root : model.dimensions) {
-    if (!model.is_oriented(root) || (((first | second) >> root) & 1U) != 0) continue;
-    first = static_cast<std::uint16_t>(first | (1U << root));
-    for (bool changed = true; changed;) {
-      changed = false;
-      for (auto const& [i, j] : model.exchange) {
-        if (!model.is_oriented(i) || !model.is_oriented(j)) continue;
-        for (auto const& [from, to] : {std::pair{i, j}, std::pair{j, i}}) {
-          for (auto const& [mine, other] : {std::pair{&first, &second}, std::pair{&second, &first}}) {
-            if (((*mine >> from) & 1U) == 0) continue;
-            if (((*mine >> to) & 1U) != 0) return {};
-            changed = changed || ((*other >> to) & 1U) == 0;
-            *other = static_cast<std::uint16_t>(*other | (1U << to));
-          }
-        }
+  std::array<std::optional<bool>, max_dimension + 1> in_second{};
+  std::vector<int> open;
+  std::uint16_t second = 0;
+  for (int const first : model.dimensions) {
+    if (!model.is_oriented(first) || in_second[static_cast<std::size_t>(first)]) continue;
+    in_second[static_cast<std::size_t>(first)] = false;
+    open.push_back(first);
+    while (!open.empty()) {
+      int const d = open.back();
+      open.pop_back();
+      bool const here = *in_second[static_cast<std::size_t>(d)];
+      if (here) second = static_cast<std::uint16_t>(second | (1U << d));
+      for (int const other : model.dimensions) {
+        if (!model.is_oriented(other) || !model.exchanges(d, other)) continue;
+        auto& there = in_second[static_cast<std::size_t>(other)];
+        if (there == here) return {};
+        if (!there) open.push_back(other);
+        there = !here;
       }
     }
   }
   return second;
 }
 
-/// W, and how Γ lies in it.
-struct Embedding {
+/// Γ in W.
+struct Inclusion {
   Model const& model;
   RightAngledCoxeterGroup const& w;
   std::uint16_t second;  // the class B
   bool in_second(int d) const { return ((second >> d) & 1U) != 0; }
 };
 
-void multiply_by_word(Element& g, Word const& word, Embedding const& e) {
+void multiply_by_word(Element& g, Word const& word, Inclusion const& e) {
   for (Letter const letter : word) {
     assert(e.model.has(letter.dimension));
     bool const backwards = (letter.conjugate && e.model.is_oriented(letter.dimension)) != e.in_second(letter.dimension);
@@ -93,21 +97,21 @@ void multiply_by_word(Element& g, Word const& word, Embedding const& e) {
   }
 }
 
-Element to_coxeter(Word const& word, Embedding const& e) {
+Element to_coxeter(Word const& word, Inclusion const& e) {
   Element g;
   multiply_by_word(g, word, e);
   return g;
 }
 
 /// z·g·z for the element g of a word.
-Element to_coxeter_twisted(Word const& word, Embedding const& e) {
+Element to_coxeter_twisted(Word const& word, Inclusion const& e) {
   Element g{z};
   multiply_by_word(g, word, e);
   e.w.multiply(g, z);
   return g;
 }
 
-Word from_coxeter(Element const& g, Embedding const& e) {
+Word from_coxeter(Element const& g, Inclusion const& e) {
   Model const& model = e.model;
   Word word;
   bool odd = false;
@@ -193,7 +197,7 @@ Group::Group(Model model) : model_(std::move(model)), coxeter_(coxeter_group(mod
 }
 
 Word Group::normal_form(Word const& word) const {
-  Embedding const e{model_, coxeter_, second_class_};
+  Inclusion const e{model_, coxeter_, second_class_};
   return from_coxeter(to_coxeter(word, e), e);
 }
 
@@ -216,7 +220,7 @@ bool Group::is_conjugate_to_letter(Word const& word) const {
 bool Group::in_orbit(Word const& word, OrbitType const& orbit) const {
   for (auto const read : {to_coxeter, to_coxeter_twisted}) {
     std::vector<Element> elements;
-    Embedding const e{model_, coxeter_, second_class_};
+    Inclusion const e{model_, coxeter_, second_class_};
     for (Word const& w : orbit.words) elements.push_back(read(w, e));
     if (auto const allowed = connected_pairs(elements)) {
       return (RightAngledCoxeterGroup::support(read(word, e)) & ~*allowed) == 0;

@@ -17,6 +17,16 @@ AlternatingPath SideView::walk(ir::NodeId from, int i, int j) const {
   return path;
 }
 
+std::vector<ir::Arc const*> SideView::arcs_of(AlternatingPath const& cycle, Model const& model) const {
+  std::vector<ir::Arc const*> arcs = cycle;
+  if (model.is_oriented(cycle[0]->dimension) || model.is_oriented(cycle[1]->dimension)) return arcs;
+  for (ir::Arc const* arc : cycle) {
+    ir::Arc const* const reverse = table.out(arc->target, arc->dimension);
+    if (reverse && reverse->target == arc->source) arcs.push_back(reverse);
+  }
+  return arcs;
+}
+
 AlternatingPath SideView::maximal_from(ir::Arc const& first, int other_dimension) const {
   ir::Arc const* const before = table.in(first.source, other_dimension);
   if (before && changed(*before)) return {};

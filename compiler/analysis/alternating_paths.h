@@ -23,6 +23,8 @@ struct SideView {
   /// Added on the right, deleted on the left.
   bool changed(ir::Arc const& arc) const { return ir::find_same(other, arc) == nullptr; }
   ArcIndex index_of(ir::Arc const& arc) const { return static_cast<ArcIndex>(&arc - side.arcs.data()); }
+  /// The arcs from which a closed cycle is the same cycle: its own, and where both dimensions are non-oriented their reverses.
+  std::vector<ir::Arc const*> arcs_of(AlternatingPath const& cycle, Model const& model) const;
   /// At most four steps i, j, i, j from a node; shorter where an arc is not there.
   AlternatingPath walk(ir::NodeId from, int i, int j) const;
   /// The maximal alternating path of changed arcs that starts with this arc; empty if it starts earlier.

@@ -190,20 +190,14 @@ class Certifier {
   }
 
   void check_cycles(int i, int j) {
-    bool const oriented = rule_.model().is_oriented(i) || rule_.model().is_oriented(j);
     std::set<ir::Arc const*> listed;  // arcs of this pair's cycles; of non-oriented ones, their reverses too
     for (CycleObligation const& obligation : cycle_obligations(left_, right_, rule_.model(), i, j)) {
       SideView const& view = obligation.added ? right_ : left_;
       if (obligation.four_steps()) {
         if (listed.contains(obligation.path.front())) continue;
         Certificate::Cycle cycle{obligation.added, {}, {}};
-        for (std::size_t k = 0; k < 4; ++k) {
-          ir::Arc const& arc = *obligation.path[k];
-          cycle.arcs[k] = view.index_of(arc);
-          listed.insert(&arc);
-          ir::Arc const* const reverse = view.table.out(arc.target, arc.dimension);
-          if (!oriented && reverse && reverse->target == arc.source) listed.insert(reverse);
-        }
+        for (std::size_t k = 0; k < 4; ++k) cycle.arcs[k] = view.index_of(*obligation.path[k]);
+        for (ir::Arc const* arc : view.arcs_of(obligation.path, rule_.model())) listed.insert(arc);
         if (obligation.added) cycle.proof = prove(word_of(obligation.path));
         certificate_.cycles.push_back(std::move(cycle));
       } else if (!obligation.added) {  // the added path is its partner

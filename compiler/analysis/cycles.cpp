@@ -105,23 +105,16 @@ struct CycleCheck {
     refusals.push_back({std::move(diagnostic), start, i, j});
   }
 
-  // A cycle whose word acts as ε does so from each of its nodes, for its arcs lead from pattern darts to pattern darts; and, if both
-  // dimensions are non-oriented, backwards.
-  void note_proved(AlternatingPath const& path) {
-    bool const oriented = rule.model().is_oriented(path[0]->dimension) || rule.model().is_oriented(path[1]->dimension);
-    for (ir::Arc const* arc : path) {
-      proved.insert(arc);
-      ir::Arc const* const reverse = right.table.out(arc->target, arc->dimension);
-      if (!oriented && reverse && reverse->target == arc->source) proved.insert(reverse);
-    }
-  }
-
   void check(CycleObligation const& obligation, int i, int j) {
     AlternatingPath const& path = obligation.path;
     if (obligation.four_steps()) {
       // On the left a closed walk is a fact, and completion has refused the others.
       if (!obligation.added || proved.contains(path.front())) return;
-      if (closes(path) && words.trivial(word_of(path))) return note_proved(path);
+      if (closes(path) && words.trivial(word_of(path))) {
+        // It acts as ε from each of its nodes then, for its arcs lead from pattern darts to pattern darts.
+        for (ir::Arc const* arc : right.arcs_of(path, rule.model())) proved.insert(arc);
+        return;
+      }
       // Named by the smaller dimension first where that reads the same.
       ir::Arc const& first = *path.front();
       AlternatingPath const usual = right.walk(first.source, i, j);

@@ -16,4 +16,11 @@ struct Refusal {
 };
 using Refusals = std::vector<Refusal>;
 
+/// Is the rule refused because no map matches its left side? Then there is none that it breaks.
+inline bool is_dead_left(Refusal const& refusal) {
+  using source::Code;
+  Code const code = refusal.diagnostic.code;
+  return code == Code::dead_arc || code == Code::dead_cycle || code == Code::dead_clash || code == Code::dead_fixed_dart;
+}
+
 }  // namespace jrule::analysis

@@ -287,17 +287,13 @@ struct Comparison {
   /// The first innermost part that is not the same.
   Expr const* culprit(Expr const& e, Order order) const {
     if (same(e, e, order)) return nullptr;
-    std::vector<ExprPtr> parts;
-    if (auto const* apply = std::get_if<ir::Apply>(&e.value)) {
-      parts = apply->arguments;
-      order = order_of(*apply);
-    }
-    if (auto const* call = std::get_if<ir::Call>(&e.value)) {
-      parts = call->arguments;
-      order = Order::none;
-    }
-    if (auto const* choice = std::get_if<ir::Conditional>(&e.value)) parts = {choice->condition, choice->then_value, choice->else_value};
-    for (ExprPtr const& part : parts) {
+    auto const* const apply = std::get_if<ir::Apply>(&e.value);
+    bool const call = std::holds_alternative<ir::Call>(e.value);
+    // What reads the map is told whole.
+    if (!apply && !call && !std::holds_alternative<ir::Conditional>(e.value)) return &e;
+    if (apply) order = order_of(*apply);
+    if (call) order = Order::none;
+    for (ExprPtr const& part : ir::parts(e)) {
       if (Expr const* const found = culprit(*part, order)) return found;
     }
     return &e;

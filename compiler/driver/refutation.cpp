@@ -21,13 +21,6 @@ bool is_topological(analysis::Refusal const& refusal) {
   return source::info(refusal.diagnostic.code).number.starts_with("J03");
 }
 
-bool is_dead_left(analysis::Refusal const& refusal) {
-  using source::Code;
-  Code const code = refusal.diagnostic.code;
-  return code == Code::dead_arc || code == Code::dead_cycle || code == Code::dead_clash ||
-         code == Code::dead_fixed_dart;
-}
-
 /// "0: 0-1 2-2": a loop leads from a dart to itself; "1: 0>1>2>0" for an oriented dimension.
 std::string arcs_of(Map const& map, int dimension) {
   std::vector<std::string> arcs;
@@ -87,7 +80,7 @@ std::string file_name(std::string rule) {
 
 void refute(ir::RuleScheme const& rule, analysis::Verdict& verdict, CounterexampleFiles* files) {
   auto const first = std::find_if(verdict.refusals.begin(), verdict.refusals.end(), is_topological);
-  if (first == verdict.refusals.end() || std::any_of(verdict.refusals.begin(), verdict.refusals.end(), is_dead_left))
+  if (first == verdict.refusals.end() || std::any_of(verdict.refusals.begin(), verdict.refusals.end(), analysis::is_dead_left))
     return;
   auto& notes = first->diagnostic.notes;
   analysis::Search const search = analysis::search_counterexample(rule);

@@ -8,31 +8,6 @@ namespace {
 
 using Found = std::optional<ExternUse>;
 
-struct CallFinder {
-  Expr const& expr;
-
-  static Expr const* in(std::vector<ExprPtr> const& parts) {
-    for (ExprPtr const& part : parts) {
-      if (Expr const* const call = find_call(*part)) return call;
-    }
-    return nullptr;
-  }
-  Expr const* operator()(Call const&) const { return &expr; }
-  Expr const* operator()(Apply const& a) const { return in(a.arguments); }
-  Expr const* operator()(Conditional const& c) const { return in({c.condition, c.then_value, c.else_value}); }
-  Expr const* operator()(ForEach const& f) const { return find_call(*f.element); }
-  Expr const* operator()(Constant const&) const { return nullptr; }
-  Expr const* operator()(ParameterRef const&) const { return nullptr; }
-  Expr const* operator()(LetRef const&) const { return nullptr; }
-  // Darts are read from the map alone.
-  Expr const* operator()(NodeDart const&) const { return nullptr; }
-  Expr const* operator()(Bound const&) const { return nullptr; }
-  Expr const* operator()(Walk const&) const { return nullptr; }
-  Expr const* operator()(Darts const&) const { return nullptr; }
-  Expr const* operator()(ValueAt const&) const { return nullptr; }
-  Expr const* operator()(Collect const&) const { return nullptr; }
-};
-
 Found use_in(ExprPtr const& expr, std::string const& user) {
   Expr const* const call = expr ? find_call(*expr) : nullptr;
   if (!call) return {};
@@ -63,7 +38,13 @@ Found use_in(Modeler const& modeler) {
 
 }  // namespace
 
-Expr const* find_call(Expr const& expr) { return std::visit(CallFinder{expr}, expr.value); }
+Expr const* find_call(Expr const& expr) {
+  if (std::holds_alternative<Call>(expr.value)) return &expr;
+  for (ExprPtr const& part : parts(expr)) {
+    if (Expr const* const call = find_call(*part)) return call;
+  }
+  return nullptr;
+}
 
 std::optional<ExternUse> find_extern_use(RuleScheme const& rule) {
   if (Found use = use_in(*rule.modeler)) return use;

@@ -132,6 +132,9 @@ struct Expr {
   Span span;
 };
 
+/// The expressions that it is made of, in the order of writing; those of darts too.
+std::vector<ExprPtr> parts(Expr const& expr);
+
 // ---- Rules ----
 
 struct Parameter {

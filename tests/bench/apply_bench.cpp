@@ -54,8 +54,8 @@ Map torus(ir::RuleScheme const& rule, std::uint32_t n) {
   return map;
 }
 
-void quad_subdivision_interpreted(benchmark::State& state) {
-  ir::RuleScheme const rule = quad_subdivision();
+/// A rule that makes four darts of each, on a torus of n² quads.
+void interpret(benchmark::State& state, ir::RuleScheme const& rule) {
   analysis::Plan const plan = analysis::analyze(rule).plan;
   Map const original = torus(rule, static_cast<std::uint32_t>(state.range(0)));
   rewrite::Workspace workspace;
@@ -68,22 +68,13 @@ void quad_subdivision_interpreted(benchmark::State& state) {
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(4 * original.dart_count()));
 }
+
+void quad_subdivision_interpreted(benchmark::State& state) { interpret(state, quad_subdivision()); }
 BENCHMARK(quad_subdivision_interpreted)->Arg(112)->Unit(benchmark::kMillisecond);
 
 // Nested comprehensions at every vertex: the rate must not fall as the surface grows.
 void catmull_clark_interpreted(benchmark::State& state) {
-  ir::RuleScheme const rule = first_rule(JRULE_SOURCE_DIR "/tests/integration/rules/smoothing.jrule");
-  analysis::Plan const plan = analysis::analyze(rule).plan;
-  Map const original = torus(rule, static_cast<std::uint32_t>(state.range(0)));
-  rewrite::Workspace workspace;
-  for (auto _ : state) {
-    state.PauseTiming();
-    Map map = original;
-    state.ResumeTiming();
-    auto const applied = interpreter::apply(rule, plan, map, {0}, {}, workspace);
-    if (!applied) state.SkipWithError(applied.error().message.c_str());
-  }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(4 * original.dart_count()));
+  interpret(state, first_rule(JRULE_SOURCE_DIR "/tests/integration/rules/smoothing.jrule"));
 }
 BENCHMARK(catmull_clark_interpreted)->Arg(28)->Arg(56)->Arg(112)->Unit(benchmark::kMillisecond);
 

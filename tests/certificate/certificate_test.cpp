@@ -189,8 +189,7 @@ TEST(Certificate, HasEachKindOfEvidence) {
 /// dead left sides anything can be proved.
 bool breaks_maps(analysis::Verdict const& verdict) {
   std::string const codes = tests::codes(verdict);
-  bool dead = false;
-  for (char const* const code : {"J0331", "J0332", "J0334", "J0335"}) dead = dead || codes.find(code) != std::string::npos;
+  bool const dead = std::any_of(verdict.refusals.begin(), verdict.refusals.end(), analysis::is_dead_left);
   return !verdict.accepted() && codes.find("J030") == std::string::npos && !dead;
 }
 

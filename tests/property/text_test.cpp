@@ -42,27 +42,10 @@ struct Tally {
 
   void add(ir::Expr const& expr) {
     ++kinds[expr.value.index()];
-    std::visit([&](auto const& node) { add_parts(node); }, expr.value);
-  }
-  void add_parts(auto const&) {}
-  void add_parts(ir::Bound const& bound) { inner_variables += bound.level > 0; }
-  void add_parts(ir::Walk const& walk) { add(*walk.from); }
-  void add_parts(ir::Darts const& darts) { add(*darts.at); }
-  void add_parts(ir::ValueAt const& read) { add(*read.at); }
-  void add_parts(ir::Collect const& read) { add(*read.over.at); }
-  void add_parts(ir::ForEach const& each) {
-    add(*each.over.at);
-    add(*each.element);
-  }
-  void add_parts(ir::Apply const& apply) {
-    dart_comparisons += apply.arguments.size() == 2 && apply.arguments[0]->type == ir::dart_type;
-    for (ir::ExprPtr const& argument : apply.arguments) add(*argument);
-  }
-  void add_parts(ir::Call const& call) {
-    for (ir::ExprPtr const& argument : call.arguments) add(*argument);
-  }
-  void add_parts(ir::Conditional const& c) {
-    for (ir::ExprPtr const& part : {c.condition, c.then_value, c.else_value}) add(*part);
+    if (auto const* bound = std::get_if<ir::Bound>(&expr.value)) inner_variables += bound->level > 0;
+    auto const parts = ir::parts(expr);
+    dart_comparisons += std::holds_alternative<ir::Apply>(expr.value) && parts.size() == 2 && parts[0]->type == ir::dart_type;
+    for (ir::ExprPtr const& part : parts) add(*part);
   }
 };
 

@@ -331,6 +331,18 @@ rule water(
   expect_contains(emitted.code, "rain < 1.0 ? ::geo::wet(before, rain) : other");
 }
 
+TEST(Emit, ExternHeadersOfConditionsOfDarts) {
+  Emitted const emitted = emit_module(R"(extern fn far(x: Real) -> Bool in "geo/far.hpp" as "geo::far";
+modeler Land on gmap(2) { embedding height : vertex -> Real; }
+rule level on Land {
+  left  { hook a <0,1>; require (if far(a.height) then a else a@0).height > 0; }
+  right { a; }
+}
+)");
+  EXPECT_TRUE(emitted.problems.empty());
+  expect_contains(emitted.header, "#include \"geo/far.hpp\"\n");
+}
+
 TEST(Emit, ExternNamesThatCppCannotUse) {
   Emitted const emitted = emit_module(R"(extern type Soil in "geo/soil.hpp" as "geo::class";
 extern fn grass() -> Soil in "geo/soil.hpp" as "new::grass";

@@ -42,6 +42,12 @@ TEST(ExternUse, IsFoundWhereverItIs) {
   EXPECT_EQ(in("", "require low(<0,1>(a).h) < 1;", ""), "a requirement calls the extern function `low`");
   EXPECT_EQ(in("", "let y = mean(hard(grass()) for e in <0,1>(a));", ""), "`y` calls the extern function `hard`");
   EXPECT_EQ(in("", "let y = low(e.h for e in <0,1>(a));", ""), "`y` calls the extern function `low`");
+  std::string const dart = "(if hard(grass()) < 1 then a else a@0)";
+  EXPECT_EQ(in("", "let y = " + dart + ".h;", ""), "`y` calls the extern function `hard`");
+  EXPECT_EQ(in("", "let y = " + dart + "@1;", ""), "`y` calls the extern function `hard`");
+  EXPECT_EQ(in("", "let y = mean(<0,1>(" + dart + ").h);", ""), "`y` calls the extern function `hard`");
+  EXPECT_EQ(in("", "let y = count(<0,1>(" + dart + ") by <0>);", ""), "`y` calls the extern function `hard`");
+  EXPECT_EQ(in("", "let y = mean(e.h for e in <0,1>(" + dart + "));", ""), "`y` calls the extern function `hard`");
   EXPECT_EQ(in("", "", "h = 1 + low(<0,1>(a).h);"), "`h` of `a` calls the extern function `low`");
 }
 

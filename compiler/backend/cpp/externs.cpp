@@ -36,30 +36,10 @@ struct Headers {
   }
 
   void add(ir::ExprPtr const& expr) {
-    if (expr) std::visit([&](auto const& node) { add_node(node); }, expr->value);
+    if (!expr) return;
+    if (auto const* const call = std::get_if<ir::Call>(&expr->value)) add(*call->function, "function");
+    for (ir::ExprPtr const& part : ir::parts(*expr)) add(part);
   }
-  void add_node(ir::Apply const& a) {
-    for (ir::ExprPtr const& argument : a.arguments) add(argument);
-  }
-  void add_node(ir::Call const& c) {
-    add(*c.function, "function");
-    for (ir::ExprPtr const& argument : c.arguments) add(argument);
-  }
-  void add_node(ir::Conditional const& c) {
-    add(c.condition);
-    add(c.then_value);
-    add(c.else_value);
-  }
-  void add_node(ir::ForEach const& f) { add(f.element); }
-  void add_node(ir::Constant const&) {}
-  void add_node(ir::ParameterRef const&) {}
-  void add_node(ir::LetRef const&) {}
-  void add_node(ir::NodeDart const&) {}
-  void add_node(ir::Bound const&) {}
-  void add_node(ir::Walk const&) {}
-  void add_node(ir::Darts const&) {}
-  void add_node(ir::ValueAt const&) {}  // its type is the modeler's
-  void add_node(ir::Collect const&) {}
 };
 
 }  // namespace

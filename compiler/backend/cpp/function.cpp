@@ -97,49 +97,26 @@ void Function::use_orbit_type(OrbitType const& type) {
   orbit_types[type] = scope.take(name);
 }
 
-void Function::use(ir::Darts const& over) {
-  use_orbit_type(over.orbit);
-  use_orbit_type(over.by);
-  use(*over.at);
-}
-
 void Function::use(ir::Expr const& expr) {
-  struct Visitor {
-    Function& f;
-    void operator()(ir::Constant const&) const {}
-    void operator()(ir::ParameterRef const& p) const { f.uses_parameter[p.index] = true; }
-    void operator()(ir::LetRef const& l) const { f.uses_let[l.index] = true; }
-    void operator()(ir::NodeDart const&) const {}
-    void operator()(ir::Bound const&) const {}
-    void operator()(ir::Walk const& w) const { f.use(*w.from); }
-    void operator()(ir::Darts const& d) const { f.use(d); }
-    void operator()(ir::ValueAt const& v) const {
-      f.reads_embedding[v.embedding] = f.uses_embedding[v.embedding] = true;
-      f.use(*v.at);
-    }
-    void operator()(ir::Collect const& c) const {
-      f.reads_embedding[c.embedding] = f.uses_embedding[c.embedding] = true;
-      f.use(c.over);
-    }
-    void operator()(ir::ForEach const& e) const {
-      std::string const& name = e.variable.name;
-      if (!f.variables.contains(name)) f.variables[name] = f.scope.take(name);
-      f.use(e.over);
-      f.use(*e.element);
-    }
-    void operator()(ir::Apply const& a) const {
-      for (ir::ExprPtr const& argument : a.arguments) f.use(*argument);
-    }
-    void operator()(ir::Call const& c) const {
-      for (ir::ExprPtr const& argument : c.arguments) f.use(*argument);
-    }
-    void operator()(ir::Conditional const& c) const {
-      f.use(*c.condition);
-      f.use(*c.then_value);
-      f.use(*c.else_value);
-    }
+  auto const read = [&](std::size_t embedding) { reads_embedding[embedding] = uses_embedding[embedding] = true; };
+  auto const over = [&](ir::Darts const& list) {
+    use_orbit_type(list.orbit);
+    use_orbit_type(list.by);
   };
-  std::visit(Visitor{*this}, expr.value);
+  if (auto const* p = std::get_if<ir::ParameterRef>(&expr.value)) uses_parameter[p->index] = true;
+  if (auto const* l = std::get_if<ir::LetRef>(&expr.value)) uses_let[l->index] = true;
+  if (auto const* d = std::get_if<ir::Darts>(&expr.value)) over(*d);
+  if (auto const* v = std::get_if<ir::ValueAt>(&expr.value)) read(v->embedding);
+  if (auto const* c = std::get_if<ir::Collect>(&expr.value)) {
+    read(c->embedding);
+    over(c->over);
+  }
+  if (auto const* e = std::get_if<ir::ForEach>(&expr.value)) {
+    std::string const& name = e->variable.name;
+    if (!variables.contains(name)) variables[name] = scope.take(name);
+    over(e->over);
+  }
+  for (ir::ExprPtr const& part : ir::parts(expr)) use(*part);
 }
 
 void Function::name_columns() {

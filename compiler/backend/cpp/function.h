@@ -71,7 +71,6 @@ struct Function {
  private:
   void use(ir::Expr const& expr);
   void use_orbit_type(OrbitType const& type);
-  void use(ir::Darts const& over);
   void name_columns();
   void name_values();
 };

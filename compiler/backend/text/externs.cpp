@@ -38,32 +38,10 @@ struct Collection {
     add(function->result.external);
   }
   void add(ir::ExprPtr const& expr) {
-    if (expr) std::visit([&](auto const& node) { add_parts(node); }, expr->value);
+    if (!expr) return;
+    if (auto const* const call = std::get_if<ir::Call>(&expr->value)) add(call->function);
+    for (ir::ExprPtr const& part : ir::parts(*expr)) add(part);
   }
-
-  void add_parts(ir::Call const& call) {
-    add(call.function);
-    for (ir::ExprPtr const& argument : call.arguments) add(argument);
-  }
-  void add_parts(ir::Apply const& apply) {
-    for (ir::ExprPtr const& argument : apply.arguments) add(argument);
-  }
-  void add_parts(ir::Conditional const& c) {
-    for (ir::ExprPtr const& part : {c.condition, c.then_value, c.else_value}) add(part);
-  }
-  void add_parts(ir::ForEach const& each) {
-    add(each.over.at);
-    add(each.element);
-  }
-  void add_parts(ir::Walk const& walk) { add(walk.from); }
-  void add_parts(ir::Darts const& darts) { add(darts.at); }
-  void add_parts(ir::ValueAt const& read) { add(read.at); }
-  void add_parts(ir::Collect const& read) { add(read.over.at); }
-  void add_parts(ir::Constant const&) {}
-  void add_parts(ir::ParameterRef const&) {}
-  void add_parts(ir::LetRef const&) {}
-  void add_parts(ir::NodeDart const&) {}
-  void add_parts(ir::Bound const&) {}
 };
 
 Spelled<std::string> spell_place(std::string const& header, std::string const& cpp_name) {
