@@ -25,6 +25,7 @@ Result<Map> read_input(ApplyOptions const& options, ir::RuleScheme const& rule) 
 
 // The dimension of a map whose rule leaves it open (`on gmap(n)`): the input's.
 std::optional<int> input_dimension(std::string const& path) {
+  if (path.empty()) return {};
   if (!path.ends_with(".jmap")) return 2;
   auto const map = read_jmap(path);
   return map ? std::optional(map->model().dimension) : std::nullopt;

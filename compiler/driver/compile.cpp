@@ -3,6 +3,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "compiler/sema/imports.h"
+
 namespace jrule::driver {
 
 sema::SearchPath search_path(Common const& common) {
@@ -14,8 +16,11 @@ analysis::Verdict judge(ir::RuleScheme const& rule, source::Diagnostics& diagnos
   if (auto const fault = ir::verify(rule)) throw std::logic_error("rule " + rule.name + ": " + *fault);
   analysis::Verdict verdict = analysis::analyze(rule);
   refute(rule, verdict, files);
-  for (analysis::Refusal const& refusal : verdict.refusals) diagnostics.add(refusal.diagnostic);
-  for (source::Diagnostic const& warning : verdict.warnings) diagnostics.add(warning);
+  auto const tell = [&](source::Diagnostic const& found) {
+    diagnostics.add(rule.import ? sema::told_at_import(found, *rule.import, rule.name, rule.module, rule.modeler->name) : found);
+  };
+  for (analysis::Refusal const& refusal : verdict.refusals) tell(refusal.diagnostic);
+  for (source::Diagnostic const& warning : verdict.warnings) tell(warning);
   return verdict;
 }
 

@@ -85,6 +85,12 @@ struct Modeler {
 
   EmbeddingExterns externs_of(std::size_t e) const { return e < externs.size() ? externs[e] : EmbeddingExterns{}; }
   ExprType value_type(std::size_t e) const { return {embeddings[e].type, false, false, externs_of(e).type}; }
+  bool has_embedding(std::string const& wanted) const {
+    for (EmbeddingSpec const& embedding : embeddings) {
+      if (embedding.name == wanted) return true;
+    }
+    return false;
+  }
   bool has_default(std::size_t e) const { return embeddings[e].default_value || externs_of(e).default_value; }
 };
 
@@ -195,6 +201,7 @@ struct RuleScheme {
   std::string doc;
   Span span;         ///< of its name
   std::string module;
+  std::optional<Span> import;  ///< of another module's rule that is taken on a modeler of the root: where it is imported
   std::shared_ptr<Modeler const> modeler;
   std::vector<Parameter> parameters;
   std::vector<Node> nodes;       ///< left nodes in order of declaration, then added ones
@@ -208,7 +215,7 @@ struct RuleScheme {
   Model const& model() const { return modeler->model; }
 };
 
-/// What a module's files mean: the rules of the root file and the modelers they are on.
+/// What a module's files mean: the root file's modelers, its rules, and the imported rules that its modelers take.
 struct Program {
   std::string module;  ///< the root file's stem
   std::vector<std::shared_ptr<Modeler const>> modelers;

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 
+#include "compiler/sema/imports.h"
 #include "compiler/sema/models.h"
 #include "compiler/sema/names.h"
 #include "compiler/sema/rules.h"
@@ -16,20 +18,32 @@ using source::Diagnostics;
 
 namespace {
 
+using ModelerPtr = std::shared_ptr<ir::Modeler const>;
+
 // Modelers by name, each elaborated and reported once.
 struct ModelerTable {
   Items const& items;
   Externs const& externs;
-  std::map<std::string, std::shared_ptr<ir::Modeler const>> known;
+  std::map<std::string, ModelerPtr> known;
 
-  std::shared_ptr<ir::Modeler const> declared(ast::Modeler const& modeler, Diagnostics& diagnostics) {
+  ModelerPtr declared(ast::Modeler const& modeler, Diagnostics& diagnostics) {
     auto const [entry, fresh] = known.try_emplace(modeler.name.text);
     if (fresh) entry->second = elaborate_modeler(modeler, items, externs, diagnostics);
     return entry->second;
   }
 
+  std::vector<ModelerPtr> of(Module const& module, Diagnostics& diagnostics) {
+    std::vector<ModelerPtr> all;
+    for (ast::Item const& item : module.ast.items) {
+      auto const* modeler = std::get_if<ast::Modeler>(&item);
+      if (!modeler) continue;
+      if (auto elaborated = declared(*modeler, diagnostics)) all.push_back(std::move(elaborated));
+    }
+    return all;
+  }
+
   // The modeler that `on NAME` or `on gmap(2)` means: a bare model is a modeler without embeddings.
-  std::shared_ptr<ir::Modeler const> resolve(ast::ModelRef const& ref, DimensionValues const& values, Diagnostics& diagnostics) {
+  ModelerPtr resolve(ast::ModelRef const& ref, DimensionValues const& values, Diagnostics& diagnostics) {
     if (!ref.dimension) {
       if (ast::Modeler const* const modeler = items.modeler(ref.name.text)) return declared(*modeler, diagnostics);
       if (!items.model(ref.name.text)) {
@@ -91,6 +105,61 @@ void report_unimplemented(ast::Item const& item, Diagnostics& diagnostics) {
   }
 }
 
+// Does it stand for one rule in each dimension?
+bool is_family(ast::Rule const& rule) { return !rule.dimension_parameters.empty() || open_dimension(rule); }
+
+// A modeler of the root that takes an imported rule: it is on the rule's model.
+struct Taker {
+  ModelerPtr modeler;
+  ModelerPtr declared_on;
+  DimensionValues values;
+};
+
+// Elaborates imported rules on the modelers of the root.
+struct ImportElaboration {
+  Externs const& externs;
+  ModelerTable& modelers;
+  std::vector<ModelerPtr> const& own;
+
+  std::vector<Taker> takers(ast::Rule const& rule, DimensionValues const& values) const {
+    std::vector<Taker> takers;
+    for (auto const& modeler : own) {
+      DimensionValues with_open = values;
+      if (auto const open = open_dimension(rule)) with_open[*open] = modeler->model.dimension;
+      Diagnostics unseen;  // what is wrong with the rule's own modeler or dimensions is told in its file, or where it is used
+      auto declared_on = modelers.resolve(rule.on, with_open, unseen);
+      if (declared_on && declared_on->model == modeler->model) takers.push_back({modeler, std::move(declared_on), std::move(with_open)});
+    }
+    return takers;
+  }
+
+  // `name` is the scheme's.
+  std::optional<ir::RuleScheme> elaborate(ImportedRule const& imported, Taker const& taker, std::string const& name,
+                                          Diagnostics& diagnostics) const {
+    Diagnostics found;
+    auto scheme = elaborate_rule(*imported.rule, name, imported.module, taker.modeler, taker.values, externs, found, taker.declared_on.get());
+    for (source::Diagnostic const& d : found.all()) {
+      diagnostics.add(told_at_import(d, imported.import, name, imported.module, taker.modeler->name));
+    }
+    if (scheme) scheme->import = imported.import;
+    return scheme;
+  }
+};
+
+// The spelling of a rule that several modelers take.
+std::string qualified(ir::Modeler const& modeler, std::string const& rule) { return fmt::format("{}.{}", modeler.name, rule); }
+
+// `on` is the modeler that was named, if one was.
+void report_takers(std::string const& rule, std::string const& on, std::vector<Taker> const& takers, Diagnostics& diagnostics) {
+  std::vector<std::string> names;
+  for (Taker const& taker : takers) names.push_back(qualified(*taker.modeler, rule));
+  source::Diagnostic d{.code = Code::unknown_value, .span = {},
+                       .message = on.empty() ? fmt::format("`{}` is a rule of several modelers", rule)
+                                             : fmt::format("`{}` is not a rule of the modeler `{}`", rule, on)};
+  if (!names.empty()) d.notes.push_back(fmt::format("known here: `{}`", fmt::join(names, "`, `")));
+  diagnostics.add(std::move(d));
+}
+
 }  // namespace
 
 ir::Program elaborate(Modules const& modules, Diagnostics& diagnostics) {
@@ -105,17 +174,15 @@ ir::Program elaborate(Modules const& modules, Diagnostics& diagnostics) {
   for (ast::Item const& item : root.ast.items) {
     if (auto const* model = std::get_if<ast::Model>(&item)) {
       check_model(*model, diagnostics);
-    } else if (auto const* modeler = std::get_if<ast::Modeler>(&item)) {
-      if (auto elaborated = modelers.declared(*modeler, diagnostics)) program.modelers.push_back(std::move(elaborated));
     } else {
       report_unimplemented(item, diagnostics);
     }
   }
+  program.modelers = modelers.of(root, diagnostics);
   for (ast::Item const& item : root.ast.items) {
     auto const* rule = std::get_if<ast::Rule>(&item);
     if (!rule) continue;
-    auto const open = open_dimension(*rule);
-    if (!rule->dimension_parameters.empty() || open) {
+    if (is_family(*rule)) {
       diagnostics.add({.code = Code::unelaborated_rule, .span = rule->name.span,
                        .message = fmt::format("`{}` stands for one rule in each dimension; each is checked where it is used", rule->name.text)});
       continue;
@@ -126,16 +193,28 @@ ir::Program elaborate(Modules const& modules, Diagnostics& diagnostics) {
       program.rules.push_back(std::move(*scheme));
     }
   }
+  ImportElaboration const imports{externs, modelers, program.modelers};
+  for (ImportedRule const& imported : imported_rules(modules)) {
+    if (is_family(*imported.rule)) continue;
+    std::string const& name = imported.rule->name.text;
+    auto const takers = imports.takers(*imported.rule, {});
+    for (Taker const& taker : takers) {
+      auto scheme = imports.elaborate(imported, taker, takers.size() == 1 ? name : qualified(*taker.modeler, name), diagnostics);
+      if (scheme) program.rules.push_back(std::move(*scheme));
+    }
+  }
   return program;
 }
 
-std::optional<ir::RuleScheme> instantiate(Modules const& modules, std::string const& name, std::vector<int> const& dimensions,
+std::optional<ir::RuleScheme> instantiate(Modules const& modules, std::string const& reference, std::vector<int> const& dimensions,
                                           std::optional<int> n, Diagnostics& diagnostics) {
   Items const items(modules);
+  std::size_t const dot = reference.rfind('.');
+  std::string const on = dot == std::string::npos ? "" : reference.substr(0, dot);
+  std::string const name = dot == std::string::npos ? reference : reference.substr(dot + 1);
   ast::Rule const* const rule = items.rule(name);
   if (!rule) {
-    ast::Name const unknown{name, {}};
-    report_unknown(diagnostics, Code::unknown_value, unknown, "rule", items.names<ast::Rule>());
+    report_unknown(diagnostics, Code::unknown_value, ast::Name{name, {}}, "rule", items.names<ast::Rule>());
     return {};
   }
   if (rule->dimension_parameters.size() != dimensions.size()) {
@@ -149,12 +228,36 @@ std::optional<ir::RuleScheme> instantiate(Modules const& modules, std::string co
   }
   DimensionValues values;
   for (std::size_t i = 0; i < dimensions.size(); ++i) values[rule->dimension_parameters[i].text] = dimensions[i];
-  if (auto const open = open_dimension(*rule); open && n) values[*open] = *n;
+  std::string const full = dimensions.empty() ? name : fmt::format("{}[{}]", name, fmt::join(dimensions, ","));
   Externs const externs = collect_externs(modules, diagnostics);
   ModelerTable modelers{items, externs, {}};
+  std::vector<ModelerPtr> const own = modelers.of(modules.all.back(), diagnostics);
+  auto const imported = imported_rules(modules);
+  auto const import = std::find_if(imported.begin(), imported.end(), [&](ImportedRule const& i) { return i.rule == rule; });
+  std::vector<Taker> all;
+  if (import != imported.end()) {
+    ImportElaboration const imports{externs, modelers, own};
+    all = imports.takers(*rule, values);
+    auto takers = all;
+    std::erase_if(takers, [&](Taker const& taker) {
+      if (!on.empty()) return taker.modeler->name != on;
+      return n && open_dimension(*rule) && taker.modeler->model.dimension != *n;
+    });
+    if (takers.size() == 1) {
+      return imports.elaborate(*import, takers.front(), all.size() == 1 ? full : qualified(*takers.front().modeler, full), diagnostics);
+    }
+    if (takers.size() > 1) {
+      report_takers(full, on, takers, diagnostics);
+      return {};
+    }
+  }
+  if (!on.empty() && on != rule->on.name.text) {
+    report_takers(full, on, all, diagnostics);
+    return {};
+  }
+  if (auto const open = open_dimension(*rule); open && n) values[*open] = *n;
   auto modeler = modelers.resolve(rule->on, values, diagnostics);
   if (!modeler) return {};
-  std::string const full = dimensions.empty() ? name : fmt::format("{}[{}]", name, fmt::join(dimensions, ","));
   return elaborate_rule(*rule, full, items.module_of(rule), std::move(modeler), values, externs, diagnostics);
 }
 

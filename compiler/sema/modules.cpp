@@ -22,7 +22,7 @@ struct Loader {
   source::Sources& sources;
   source::Diagnostics& diagnostics;
   Modules result;
-  std::map<std::string, bool> finished;  // by canonical path; false while its imports are being read
+  std::map<std::string, std::optional<std::size_t>> modules;  // by canonical path; none while its imports are being read
 
   static std::string key(std::string const& path) {
     std::error_code error;
@@ -55,18 +55,22 @@ struct Loader {
       return;
     }
     std::string const id = key(path);
-    finished[id] = false;
+    modules[id] = std::nullopt;
     result.paths.push_back(path);
     source::FileId const file = sources.add(path, std::move(*text));
     ast::File ast = syntax::parse(sources, file, diagnostics);
+    std::vector<Module::Import> imports;
     for (ast::Item const& item : ast.items) {
-      if (auto const* import = std::get_if<ast::Import>(&item)) load_import(*import, path);
+      auto const* import = std::get_if<ast::Import>(&item);
+      if (!import) continue;
+      if (auto const module = load_import(*import, path)) imports.push_back({*module, import->span});
     }
-    finished[id] = true;
-    result.all.push_back({std::move(name), std::move(ast)});
+    modules[id] = result.all.size();
+    result.all.push_back({std::move(name), std::move(ast), std::move(imports)});
   }
 
-  void load_import(ast::Import const& import, std::string const& importer) {
+  // The module's index, if it could be read.
+  std::optional<std::size_t> load_import(ast::Import const& import, std::string const& importer) {
     std::string name;
     for (ast::Name const& part : import.path) name += (name.empty() ? "" : ".") + part.text;
     std::optional<std::string> const path = find(import, importer);
@@ -77,16 +81,18 @@ struct Loader {
                        .notes = {import.path.front().text == "std"
                                      ? std::string("`std` modules come with the compiler")
                                      : std::string("it is looked up beside the importing file, then along `-I`")}});
-      return;
+      return {};
     }
-    auto const known = finished.find(key(*path));
-    if (known == finished.end()) {
+    std::string const id = key(*path);
+    if (!modules.contains(id)) {
       load(*path, name, import.span);
-    } else if (!known->second) {
+    } else if (!modules[id]) {
       diagnostics.add({.code = Code::import_cycle,
                        .span = import.span,
                        .message = fmt::format("importing `{}` here closes a cycle of imports", name)});
     }
+    auto const known = modules.find(id);
+    return known == modules.end() ? std::nullopt : known->second;
   }
 };
 

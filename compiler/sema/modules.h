@@ -17,6 +17,11 @@ struct SearchPath {
 struct Module {
   std::string name;  ///< the file's stem for the root, "std.surface" for an import
   ast::File ast;
+  struct Import {
+    std::size_t module;  ///< in Modules::all
+    source::Span span;
+  };
+  std::vector<Import> imports{};  ///< those that were found, in order
 };
 
 struct Modules {

@@ -25,6 +25,7 @@ struct RuleElaboration {
   DimensionValues const& values;
   Externs const& externs;
   Diagnostics& diagnostics;
+  ir::Modeler const* declared_on;  // null if that is the rule's modeler
   Model const& model;
   algebra::Group group;
   ir::RuleScheme rule;
@@ -35,8 +36,8 @@ struct RuleElaboration {
   std::set<std::pair<std::string, bool>> unknown_nodes;  // that arcs name, on the left?
 
   RuleElaboration(ast::Rule const& r, std::shared_ptr<ir::Modeler const> modeler, DimensionValues const& v, Externs const& e,
-                  Diagnostics& d)
-      : declared(r), values(v), externs(e), diagnostics(d), model(modeler->model), group(modeler->model) {
+                  Diagnostics& d, ir::Modeler const* on)
+      : declared(r), values(v), externs(e), diagnostics(d), declared_on(on), model(modeler->model), group(modeler->model) {
     rule.modeler = std::move(modeler);
   }
 
@@ -378,6 +379,7 @@ struct RuleElaboration {
     auto const& embeddings = rule.modeler->embeddings;
     auto const found = std::find_if(embeddings.begin(), embeddings.end(), [&](EmbeddingSpec const& e) { return e.name == clause.embedding.text; });
     if (found == embeddings.end()) {
+      if (declared_on && declared_on->has_embedding(clause.embedding.text)) return;
       std::vector<std::string> known;
       for (EmbeddingSpec const& e : embeddings) known.push_back(e.name);
       report_unknown(diagnostics, Code::unknown_embedding, clause.embedding, "embedding", known);
@@ -427,8 +429,9 @@ struct RuleElaboration {
 
 std::optional<ir::RuleScheme> elaborate_rule(ast::Rule const& rule, std::string const& name, std::string const& module,
                                              std::shared_ptr<ir::Modeler const> modeler, DimensionValues const& values,
-                                             Externs const& externs, Diagnostics& diagnostics) {
-  return RuleElaboration(rule, std::move(modeler), values, externs, diagnostics).run(name, module);
+                                             Externs const& externs, Diagnostics& diagnostics,
+                                             ir::Modeler const* declared_on) {
+  return RuleElaboration(rule, std::move(modeler), values, externs, diagnostics, declared_on).run(name, module);
 }
 
 }  // namespace jrule::sema

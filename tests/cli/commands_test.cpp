@@ -105,6 +105,43 @@ TEST_F(Commands, RulesOfTheLibraryTakeTheirDimension) {
   EXPECT_EQ(jrule({"apply", basic + ":sew[7]", "--in", "two.jmap", "--out", "x.jmap", "--at", "dart:1,dart:2"}).exit_status, 1);
 }
 
+// Imported rules are on the modelers of the file, so that no value is lost.
+TEST_F(CommandLine, ImportedRulesKeepTheValuesOfTheFilesModelers) {
+  file("lands.jrule",
+       "import std.basic;\nimport std.subdivision;\n"
+       "modeler Land on gmap(2) { embedding position : vertex -> Point3 { merge mean; } embedding soil : face -> Int { default 3; merge max; } }\n"
+       "modeler Bare on gmap(2) {}\nmodeler Solid on gmap(3) {}\n");
+  std::string const cube = JRULE_SOURCE_DIR "/tests/data/cube.obj";
+  auto const apply = [&](std::string const& rule, std::string const& in, std::string const& out, std::string const& at) {
+    return jrule({"apply", "lands.jrule:" + rule, "--in", in, "--out", out, "--at", at});
+  };
+  Outcome const open = apply("Land.unsew[2]", cube, "open.jmap", "dart:0");
+  EXPECT_EQ(open.exit_status, 0) << open.output;
+  EXPECT_NE(content("open.jmap").find("embedding soil Int 1"), std::string::npos);
+  EXPECT_EQ(apply("Bare.unsew[2]", cube, "bare.jmap", "dart:0").exit_status, 0);
+  EXPECT_EQ(content("bare.jmap").find("embedding"), std::string::npos);
+
+  Outcome const which = apply("unsew[2]", cube, "x.jmap", "dart:0");
+  EXPECT_EQ(which.exit_status, 1);
+  EXPECT_NE(which.output.find("`unsew[2]` is a rule of several modelers"), std::string::npos) << which.output;
+  EXPECT_NE(which.output.find("known here: `Land.unsew[2]`, `Bare.unsew[2]`"), std::string::npos) << which.output;
+  Outcome const unknown = apply("Sea.unsew[2]", cube, "x.jmap", "dart:0");
+  EXPECT_EQ(unknown.exit_status, 1);
+  EXPECT_NE(unknown.output.find("`unsew[2]` is not a rule of the modeler `Sea`"), std::string::npos) << unknown.output;
+  EXPECT_EQ(apply("Land.quad", cube, "fine.obj", "all").exit_status, 0);
+  EXPECT_EQ(apply("Mesh.quad", cube, "fine.obj", "all").exit_status, 0);
+
+  // In dimension 3 only one modeler takes it.
+  file("two.jmap", "jmap 1\nmodel gmap 3\ndarts 2\n0 0 0 1\n1 1 1 0\n");
+  Outcome const solid = apply("unsew[3]", "two.jmap", "apart.jmap", "dart:0");
+  EXPECT_EQ(solid.exit_status, 0) << solid.output;
+  // What is printed means the same.
+  std::string const printed = jrule({"emit", "jrule", "lands.jrule"}).output;
+  file("printed.jrule", printed);
+  EXPECT_NE(printed.find("rule Land_quad on Land"), std::string::npos) << printed;
+  EXPECT_EQ(jrule({"check", "printed.jrule"}).exit_status, 0);
+}
+
 TEST_F(Commands, ARuleThatCreatesNeedsNoMesh) {
   file("new.jrule", "modeler M on gmap(1);\nrule segment on M { left {} right { a; b; a -0- b; a -1- a; b -1- b; } }\n");
   Outcome const outcome = jrule({"apply", "new.jrule:segment", "--out", "edge.jmap"});

@@ -2,6 +2,7 @@
 #include "base.h"
 #include "changes.h"
 #include "halfedges.h"
+#include "imports.h"
 #include "names.h"
 #include "numbers.h"
 #include "ops.h"
@@ -399,6 +400,56 @@ TEST(Numbers, EdgesAgree) {
           << n << ' ' << m;
     }
   }
+}
+
+// ---- Imported rules ----
+
+class Imports : public testing::Test {
+ protected:
+  Module module{rules + "/imports.jrule"};
+};
+
+// The library's rule, with the values of this modeler.
+TEST_F(Imports, AreOnTheModelersOfTheFileThatImportsThem) {
+  using imports::Terrain;
+  for (char const* file : {"cube.obj", "grid.ply", "moebius.obj"}) {
+    Map const start = read<Terrain>(file);
+    Outcome const expected = interpret(module.rule("catmull_clark"), start, {0}, {});
+    EXPECT_EQ(expected.error, "");
+    expect_valid(expected);
+    EXPECT_EQ(generated<Terrain>(start, [](Terrain& t) { return imports::catmull_clark(t, 0); }, COPIES(c.a, c.b, c.c, c.d)), expected)
+        << file;
+  }
+  auto terrain = Terrain::read(data + "cube.obj");
+  ASSERT_TRUE(terrain);
+  Dart const corner = 0;
+  auto const set = [&](std::string const& embedding, jrule::Value value) {
+    jrule::rewrite::Workspace workspace;
+    jrule::rewrite::set_value(terrain->map(), *terrain->map().find_embedding(embedding), corner, value, workspace);
+  };
+  set("soil", std::int64_t{5});
+  set("crease", 0.5);
+  ASSERT_TRUE(imports::catmull_clark(*terrain, 0));
+  auto const count = [&](std::string const& embedding, jrule::Value const& value) {
+    jrule::Embedding const& values = terrain->map().embedding(*terrain->map().find_embedding(embedding));
+    std::size_t darts = 0;
+    for (Dart const d : terrain->map().darts()) darts += values.value(values.handle(d)) == value ? 1 : 0;
+    return darts;
+  };
+  EXPECT_EQ(count("soil", std::int64_t{5}), 4U * 8U);  // the four quads of the face
+  EXPECT_EQ(count("crease", 0.5), 2U * 4U);            // the halves of the edge; the edges inside are new
+}
+
+// A rule that several modelers take has the modeler's name before its own.
+TEST_F(Imports, OfSeveralModelersAreToldApart) {
+  imports::Block block;
+  imports::Brick brick;
+  Map const blocks(block.map()), bricks(brick.map());
+  auto const corner = [](auto const& r) { return std::vector<std::vector<Dart>>{{r.a}, {r.b}}; };
+  EXPECT_EQ(generated<imports::Block>(blocks, [](imports::Block& b) { return imports::block_polygon_corner(b); }, corner),
+            interpret(module.rule("Block.polygon_corner"), blocks, {}, {}));
+  EXPECT_EQ(generated<imports::Brick>(bricks, [](imports::Brick& b) { return imports::brick_polygon_corner(b); }, corner),
+            interpret(module.rule("Brick.polygon_corner"), bricks, {}, {}));
 }
 
 // ---- Comprehensions ----

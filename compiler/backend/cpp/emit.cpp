@@ -101,15 +101,18 @@ struct Emission {
 
   PublicNames name(ir::RuleScheme const& rule) {
     PublicNames names;
-    names.function = identifier(rule.name);
+    // "Terrain.quad" gives "terrain_quad".
+    std::size_t const dot = rule.name.find('.');
+    names.function = dot == std::string::npos ? identifier(rule.name) : identifier(snake_case(rule.name.substr(0, dot)) + "_" + rule.name.substr(dot + 1));
     std::string const what = fmt::format("the rule `{}`", rule.name);
+    source::Span const place = rule.import ? *rule.import : rule.span;
     if (std::string_view const why = unusable(rule.name.substr(0, rule.name.find('['))); !why.empty()) {
-      report(rule.span, fmt::format("{} cannot be a C++ function: its name {}", what, why));
+      report(place, fmt::format("{} cannot be a C++ function: its name {}", what, why));
     }
     names.result = camel_case(names.function) + "Result";
     if (rule.hooks.size() == 1) names.everywhere = names.function + "_everywhere";
     for (std::string const& taken_name : {names.function, names.everywhere, names.result}) {
-      if (!taken_name.empty()) take(taken_name, what, rule.span);
+      if (!taken_name.empty()) take(taken_name, what, place);
     }
     Class const& on = class_of(*rule.modeler);
     names.class_name = on.name;

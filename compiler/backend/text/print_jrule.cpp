@@ -69,6 +69,7 @@ std::string item_name(std::string const& name) {
     text.pop_back();
     std::replace_if(text.begin(), text.end(), [](char c) { return c == '[' || c == ','; }, '_');
   }
+  std::replace(text.begin(), text.end(), '.', '_');
   return text;
 }
 
