@@ -79,7 +79,10 @@ TEST(Corpus, ElaboratesToTheSameProgramWhenPrinted) {
     }
     ASSERT_TRUE(text) << text.error().reason;
     std::vector<std::string> names;
-    for (ir::RuleScheme const& rule : program.rules) names.push_back(rule.name);
+    for (ir::RuleScheme const& rule : program.rules) {
+      names.push_back(rule.name);
+      std::replace(names.back().begin(), names.back().end(), '.', '_');  // of several modelers
+    }
     expect_same(program, names, *text);
     ++programs;
     rules += program.rules.size();

@@ -21,6 +21,7 @@ using Spelled = tl::expected<T, Unspellable>;
 /// - spans, of course;
 /// - modelers, extern types and extern functions that the program imports, which the file declares itself, so that it stands
 ///   alone;
+/// - imported rules, which the file declares itself too, `Terrain.quad` as `Terrain_quad`;
 /// - a rule that is an instance of a family: `sew[2]` is called `sew_2`, or `sew_2_` where that name is taken;
 /// - the order of arcs, where a hook's loops do not come first, and the numbers of nodes, where left nodes do not: text
 ///   has no other order. Programs that come from text keep both.
