@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "compiler/analysis/independence.h"
 #include "compiler/backend/draw/draw.h"
 #include "compiler/backend/interpreter/interpreter.h"
 #include "compiler/driver/arguments.h"
@@ -41,7 +42,8 @@ Result<void> apply_at(ir::RuleScheme const& rule, analysis::Plan const& plan, Ma
     if (rule.hooks.size() > 1) {
       return fail(Error::Kind::bad_input, fmt::format("`{}` has {} hooks: give a dart for each, `--at dart:3,dart:17`", rule.name, rule.hooks.size()));
     }
-    auto const applied = interpreter::apply_everywhere(rule, plan, map, values, workspace);
+    auto const everywhere = analysis::analyze_independence(rule, plan).independent() ? interpreter::apply_all : interpreter::apply_everywhere;
+    auto const applied = everywhere(rule, plan, map, values, workspace);
     if (!applied) return tl::unexpected(applied.error());
     count = *applied;
     return {};

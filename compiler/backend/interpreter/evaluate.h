@@ -15,7 +15,7 @@ struct Scene {
   ir::RuleScheme const& rule;
   std::vector<std::vector<Dart>> const& match;  ///< by node, then pattern dart
   std::span<Value const> arguments;
-  std::vector<ir::Evaluated> lets;              ///< those evaluated so far
+  std::span<ir::Evaluated const> lets;          ///< those evaluated so far
 };
 
 ir::Evaluated evaluate(ir::Expr const& expr, Scene const& scene, rewrite::Index k);

@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
 #include <new>
+#include <span>
 #include <stdexcept>
 
 #include "compiler/backend/interpreter/evaluate.h"
+#include "jrule/bulk.h"
 
 namespace jrule::interpreter {
 
@@ -14,7 +18,7 @@ using rewrite::Index;
 
 namespace {
 
-// One application. match() and plan() may fail; commit() cannot.
+// One application, or several at once. What comes before commit() may fail; commit() cannot.
 struct Application {
   ir::RuleScheme const& rule;
   analysis::Plan const& plan;
@@ -22,7 +26,8 @@ struct Application {
   std::vector<Value> const& arguments;
   rewrite::Workspace& workspace;
 
-  std::vector<Dart> pattern{};
+  std::vector<Dart> pattern{};                  // of all applications
+  Column number{};                              // by index in it, which application it is of; empty if there is only one
   std::map<Word, Column> columns{};             // of every word that is used
   std::vector<std::vector<Dart>> match{};       // by node
 
@@ -32,6 +37,7 @@ struct Application {
     Column orbit;                  // by pattern dart: the first of its orbit (fresh, assign, merge)
     std::vector<Handle> handle;    // by pattern dart; inherit: sources one after the other
   };
+  std::vector<ir::Evaluated> lets{};             // those of one application after the other
   std::vector<StagedOrbits> staged{};
   std::vector<std::vector<Value>> new_values{};  // by embedding
 
@@ -41,10 +47,13 @@ struct Application {
   Column const& column(Word const& word) {
     auto const known = columns.find(word);
     if (known != columns.end()) return known->second;
-    if (!word.empty()) return columns[word] = rewrite::column(map, pattern, word, workspace);
-    Column identity(size());
-    for (Index k = 0; k < size(); ++k) identity[k] = k;
-    return columns[word] = std::move(identity);
+    if (word.empty() || !number.empty()) return columns[word] = rewrite::bulk_column(map, pattern, word, workspace);
+    return columns[word] = rewrite::column(map, pattern, word, workspace);
+  }
+
+  void make_match_columns() {
+    for (auto const& step : plan.steps) column(step.word);
+    for (auto const& check : plan.checks) column(check.word);
   }
 
   // Columns need P's marks, which later steps reuse: all of them are made at once.
@@ -54,8 +63,7 @@ struct Application {
     for (auto const& hook : plan.further_hooks) {
       for (auto const& loop : hook.loops) column(loop.word);
     }
-    for (auto const& step : plan.steps) column(step.word);
-    for (auto const& check : plan.checks) column(check.word);
+    make_match_columns();
     for (ir::Arc const& arc : plan.writes) column(arc.word);
     for (auto const& component : plan.orbits) {
       for (auto const& member : component.members) column(member.path);
@@ -84,6 +92,11 @@ struct Application {
       match[node] = rewrite::walk_in_step(map, hooks[h], size(), loops);
       if (match[node].empty()) return tl::unexpected(rewrite::hook_not_determined(rule.name, name(node)));
     }
+    match_other_nodes();
+    return check_match();
+  }
+
+  void match_other_nodes() {
     for (auto const& step : plan.steps) {
       Column const& w = column(step.word);
       std::vector<Dart> const& from = match[step.from];
@@ -91,42 +104,108 @@ struct Application {
       to.resize(size());
       for (Index k = 0; k < size(); ++k) to[k] = map.step(from[w[k]], step.letter);
     }
-    return check_match();
   }
 
-  Result<void> check_match() {
-    for (auto const& check : plan.checks) {
-      Column const& w = column(check.word);
-      for (Index k = 0; k < size(); ++k) {
-        Dart const at = match[check.source][k], to = map.target(at, check.dimension), expected = match[check.target][w[k]];
-        if (to != expected) {
-          return tl::unexpected(rewrite::arc_differs(rule.name, name(check.source), check.dimension, name(check.target), at, to, expected));
-        }
-      }
+  // Calls `differs` with the index, the dart, where its arc leads and where it should lead.
+  template <class Differs>
+  void test_arcs(analysis::MatchCheck const& check, Differs differs) {
+    Column const& w = column(check.word);
+    for (Index k = 0; k < size(); ++k) {
+      Dart const at = match[check.source][k], to = map.target(at, check.dimension), expected = match[check.target][w[k]];
+      if (to != expected) differs(k, at, to, expected);
     }
-    if (!plan.test_injectivity) return {};
+  }
+
+  std::vector<std::vector<Dart> const*> match_columns() const {
     std::vector<std::vector<Dart> const*> matches;
     for (std::vector<Dart> const& m : match) {
       if (!m.empty()) matches.push_back(&m);
     }
-    if (auto const twice = rewrite::matched_twice(matches, workspace)) return tl::unexpected(rewrite::matched_twice_error(rule.name, *twice));
-    return {};
+    return matches;
   }
 
-  Result<void> evaluate_expressions() {
-    Scene scene{map, rule, match, arguments, {}};
-    for (ir::Let const& let : rule.lets) scene.lets.push_back(evaluate(*let.value, scene, 0));
-    for (ir::ExprPtr const& requirement : rule.requirements) {
-      if (!std::get<bool>(evaluate_value(*requirement, scene, 0))) {
-        return tl::unexpected(rewrite::requirement_failed(rule.name, ir::print(*requirement, rule)));
-      }
+  Result<void> check_match() {
+    for (auto const& check : plan.checks) {
+      std::optional<Error> error;
+      test_arcs(check, [&](Index, Dart at, Dart to, Dart expected) {
+        if (!error) error = rewrite::arc_differs(rule.name, name(check.source), check.dimension, name(check.target), at, to, expected);
+      });
+      if (error) return tl::unexpected(*error);
     }
-    new_values.resize(map.embedding_count());
-    for (auto const& component : plan.orbits) stage(component, scene);
+    if (!plan.test_injectivity) return {};
+    if (auto const twice = rewrite::matched_twice(match_columns(), workspace)) return tl::unexpected(rewrite::matched_twice_error(rule.name, *twice));
     return {};
   }
 
-  void stage(analysis::OrbitComponent const& component, Scene const& scene) {
+  // Matches the rule at every orbit of its hook, keeps the applications where it applies, and says how many they are.
+  std::size_t find_all_matches() {
+    OrbitType type;
+    for (Letter const letter : rule.hook_type) type.words.push_back({letter});
+    rewrite::Applications all = rewrite::all_applications(map, type);
+    auto const use_pattern = [&] {
+      pattern = all.pattern;
+      number = all.number;
+      columns.clear();
+      rewrite::mark_pattern(map, pattern, workspace);
+    };
+    use_pattern();
+    make_match_columns();
+    match.resize(rule.nodes.size());
+    match[rule.hooks[0]] = pattern;
+    match_other_nodes();
+
+    std::vector<bool> refused(all.count(), false);
+    for (auto const& check : plan.checks) {
+      test_arcs(check, [&](Index k, Dart, Dart, Dart) { refused[number[k]] = true; });
+    }
+    if (plan.test_injectivity) rewrite::refuse_matched_twice(all, match_columns(), workspace, refused);
+    for (Index a = 0; a < all.count(); ++a) {
+      if (!refused[a] && evaluate_at_hooks(all.first[a])) refused[a] = true;
+    }
+    if (std::find(refused.begin(), refused.end(), true) != refused.end()) {
+      for (std::vector<Dart>& m : match) m = rewrite::without(all, refused, m);
+      all = rewrite::without(all, refused);
+      use_pattern();
+    } else {
+      rewrite::mark_pattern(map, pattern, workspace);  // again: the test of injectivity marks as well
+    }
+    make_columns();
+    return all.count();
+  }
+
+  // What an expression sees that is evaluated at a dart of the a-th application.
+  Scene scene(Index a) const {
+    std::size_t const count = rule.lets.size();
+    return {map, rule, match, arguments, std::span(lets).subspan(a * count, std::min(count, lets.size() - a * count))};
+  }
+
+  // Evaluates the lets and requirements of one more application, whose hook is the k-th dart. If a requirement is not met,
+  // returns it, and the lets are forgotten.
+  ir::ExprPtr evaluate_at_hooks(Index k) {
+    std::size_t const before = lets.size();
+    Index const a = rule.lets.empty() ? 0 : static_cast<Index>(before / rule.lets.size());
+    for (ir::Let const& let : rule.lets) lets.push_back(evaluate(*let.value, scene(a), k));
+    for (ir::ExprPtr const& requirement : rule.requirements) {
+      if (std::get<bool>(evaluate_value(*requirement, scene(a), k))) continue;
+      lets.resize(before);
+      return requirement;
+    }
+    return nullptr;
+  }
+
+  Result<void> check_requirements() {
+    if (ir::ExprPtr const failed = evaluate_at_hooks(0)) {
+      return tl::unexpected(rewrite::requirement_failed(rule.name, ir::print(*failed, rule)));
+    }
+    return {};
+  }
+
+  void evaluate_clauses() {
+    new_values.resize(map.embedding_count());
+    for (auto const& component : plan.orbits) stage(component);
+  }
+
+  void stage(analysis::OrbitComponent const& component) {
     using Kind = analysis::OrbitComponent::Kind;
     Embedding const& embedding = map.embedding(component.embedding);
     StagedOrbits orbits{&component, {}, {}};
@@ -151,7 +230,7 @@ struct Application {
         ir::Expr const& value = *rule.clauses[*component.clause].value;
         for (Index k = 0; k < size(); ++k) {
           if (orbits.orbit[k] == k) {
-            values.push_back(evaluate_value(value, scene, k));
+            values.push_back(evaluate_value(value, scene(number.empty() ? 0 : number[k]), k));
             orbits.handle[k] = static_cast<Handle>(base + values.size() - 1);
           } else {
             orbits.handle[k] = orbits.handle[orbits.orbit[k]];
@@ -240,27 +319,38 @@ struct Application {
   }
 };
 
-}  // namespace
-
-Result<Applied> apply(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map, std::vector<Dart> const& hooks,
-                      std::vector<Value> const& arguments, rewrite::Workspace& workspace) {
-  // The plan relies on the model's constraints and on the embeddings' policies.
+// The plan relies on the model's constraints and on the embeddings' policies.
+Result<void> check_input(ir::RuleScheme const& rule, Map const& map, std::size_t hooks, std::size_t arguments) {
   if (auto const checked = rewrite::check_modeler(map, rule.model(), rule.modeler->embeddings); !checked) return tl::unexpected(checked.error());
-  if (hooks.size() != rule.hooks.size() || arguments.size() != rule.parameters.size()) {
-    return fail(Error::Kind::bad_input, fmt::format("`{}` takes {} darts and {} values", rule.name, rule.hooks.size(), rule.parameters.size()));
-  }
+  if (hooks == rule.hooks.size() && arguments == rule.parameters.size()) return {};
+  return fail(Error::Kind::bad_input, fmt::format("`{}` takes {} darts and {} values", rule.name, rule.hooks.size(), rule.parameters.size()));
+}
+
+template <class T>
+Result<T> or_no_memory(ir::RuleScheme const& rule, std::function<Result<T>()> const& apply) {
   try {
-    Application application{rule, plan, map, arguments, workspace};
-    if (auto const matched = application.find_match(hooks); !matched) return tl::unexpected(matched.error());
-    if (auto const evaluated = application.evaluate_expressions(); !evaluated) return tl::unexpected(evaluated.error());
-    Applied applied{application.reserve(), application.size()};
-    application.commit(applied.copies);
-    return applied;
+    return apply();
   } catch (std::bad_alloc const&) {
     return tl::unexpected(rewrite::no_memory(rule.name));
   } catch (std::length_error const&) {
     return tl::unexpected(rewrite::no_memory(rule.name));
   }
+}
+
+}  // namespace
+
+Result<Applied> apply(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map, std::vector<Dart> const& hooks,
+                      std::vector<Value> const& arguments, rewrite::Workspace& workspace) {
+  if (auto const checked = check_input(rule, map, hooks.size(), arguments.size()); !checked) return tl::unexpected(checked.error());
+  return or_no_memory<Applied>(rule, [&]() -> Result<Applied> {
+    Application application{rule, plan, map, arguments, workspace};
+    if (auto const matched = application.find_match(hooks); !matched) return tl::unexpected(matched.error());
+    if (auto const met = application.check_requirements(); !met) return tl::unexpected(met.error());
+    application.evaluate_clauses();
+    Applied applied{application.reserve(), application.size()};
+    application.commit(applied.copies);
+    return applied;
+  });
 }
 
 Result<std::size_t> apply_everywhere(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map,
@@ -271,6 +361,26 @@ Result<std::size_t> apply_everywhere(ir::RuleScheme const& rule, analysis::Plan 
     auto const applied = apply(rule, plan, map, {d}, arguments, workspace);
     if (!applied) return tl::unexpected(applied.error());
     return {};
+  });
+}
+
+Result<std::size_t> apply_all(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map,
+                              std::vector<Value> const& arguments, rewrite::Workspace& workspace) {
+  if (auto const checked = check_input(rule, map, 1, arguments.size()); !checked) return tl::unexpected(checked.error());
+  return or_no_memory<std::size_t>(rule, [&]() -> Result<std::size_t> {
+    if (map.dart_count() == 0) return std::size_t{0};
+    Application all{rule, plan, map, arguments, workspace};
+    std::size_t const count = all.find_all_matches();
+    if (count == 0) {
+      // Why not: what the first orbit alone says.
+      Application first{rule, plan, map, arguments, workspace};
+      if (auto const matched = first.find_match({map.darts().front()}); !matched) return tl::unexpected(matched.error());
+      if (auto const met = first.check_requirements(); !met) return tl::unexpected(met.error());
+      throw std::logic_error(fmt::format("`{}` applies at one orbit, but not among all", rule.name));
+    }
+    all.evaluate_clauses();
+    all.commit(all.reserve());
+    return count;
   });
 }
 

@@ -28,4 +28,12 @@ Result<Applied> apply(ir::RuleScheme const& rule, analysis::Plan const& plan, Ma
 Result<std::size_t> apply_everywhere(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map,
                                      std::vector<Value> const& arguments, rewrite::Workspace& workspace);
 
+/// Applies it at all these orbits at once: all expressions see the map before, and orbits where the rule is not applicable then are
+/// left as they are. Returns at how many it was applied; the first one's refusal if nowhere. On an error the map is bit for bit as it
+/// was. The rule must be proved independent (analysis/independence.h). The new darts of each added node are consecutive if
+/// no dart is erased, by the pattern's darts ascending; a merged orbit gets what its policy makes of all values that come
+/// together in it. O(darts of the map and of the result), apart from expressions.
+Result<std::size_t> apply_all(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map,
+                              std::vector<Value> const& arguments, rewrite::Workspace& workspace);
+
 }  // namespace jrule::interpreter

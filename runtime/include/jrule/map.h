@@ -41,6 +41,12 @@ class Map {
     Column const& c = columns_[index_[dimension]];
     return c.sources.empty() ? c.targets[d] : c.sources[d];
   }
+  /// All targets and sources of that dimension, by dart; no_dart for erased darts. Valid until darts are added.
+  std::span<Dart const> targets(int dimension) const noexcept { return columns_[index_[dimension]].targets; }
+  std::span<Dart const> sources(int dimension) const noexcept {
+    Column const& c = columns_[index_[dimension]];
+    return c.sources.empty() ? c.targets : c.sources;
+  }
   Dart step(Dart d, Letter letter) const noexcept {
     return letter.conjugate ? source(d, letter.dimension) : target(d, letter.dimension);
   }
