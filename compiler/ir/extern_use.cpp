@@ -55,8 +55,8 @@ std::optional<ExternUse> find_extern_use(RuleScheme const& rule) {
   for (Let const& let : rule.lets) {
     if (Found use = use_in(let.value, fmt::format("`{}`", let.name))) return use;
   }
-  for (ExprPtr const& requirement : rule.requirements) {
-    if (Found use = use_in(requirement, "a requirement")) return use;
+  for (Requirement const& requirement : rule.requirements) {
+    if (Found use = use_in(requirement.condition, "a requirement")) return use;
   }
   for (Clause const& clause : rule.clauses) {
     std::string const& embedding = rule.modeler->embeddings[clause.embedding].name;

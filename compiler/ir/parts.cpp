@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "compiler/ir/rule_scheme.h"
 
 namespace jrule::ir {
@@ -21,8 +23,22 @@ struct Parts {
   List operator()(Conditional const& c) const { return {c.condition, c.then_value, c.else_value}; }
 };
 
+/// `lets`: for each let, whether it starts at a left node.
+bool starts_at_node(Expr const& expr, std::vector<bool> const& lets) {
+  if (std::holds_alternative<NodeDart>(expr.value)) return true;
+  if (auto const* let = std::get_if<LetRef>(&expr.value)) return lets[let->index];
+  std::vector<ExprPtr> const all = parts(expr);
+  return std::any_of(all.begin(), all.end(), [&](ExprPtr const& part) { return starts_at_node(*part, lets); });
+}
+
 }  // namespace
 
 std::vector<ExprPtr> parts(Expr const& expr) { return std::visit(Parts{}, expr.value); }
+
+bool depends_on_place(RuleScheme const& rule, Requirement const& requirement) {
+  std::vector<bool> lets;  // each names only those before it
+  for (Let const& let : rule.lets) lets.push_back(starts_at_node(*let.value, lets));
+  return starts_at_node(*requirement.condition, lets);
+}
 
 }  // namespace jrule::ir

@@ -139,6 +139,7 @@ std::string print(RuleScheme const& rule) {
   std::string text = fmt::format("rule {} on {}\n", rule.name, rule.modeler->name);
   for (Parameter const& p : rule.parameters) {
     text += fmt::format("  parameter {}: {}", p.name, to_string(p.value_type()));
+    if (!p.unit.empty()) text += fmt::format(" [{}]", p.unit);
     if (p.default_value) text += fmt::format(" = {}", jrule::to_string(*p.default_value));
     if (p.computed_default) text += fmt::format(" = {}", print_computed(*p.computed_default));
     text += '\n';
@@ -160,7 +161,7 @@ std::string print(RuleScheme const& rule) {
     for (Arc const& arc : side->arcs) text += fmt::format("    {}\n", print_arc(rule, arc));
   }
   for (Let const& let : rule.lets) text += fmt::format("  let {} = {}\n", let.name, print(*let.value, rule));
-  for (ExprPtr const& r : rule.requirements) text += fmt::format("  require {}\n", print(*r, rule));
+  for (Requirement const& r : rule.requirements) text += fmt::format("  require {}\n", print(*r.condition, rule));
   for (Clause const& clause : rule.clauses) {
     text += fmt::format("  {}.{} = {}\n", rule.nodes[clause.node].name, rule.modeler->embeddings[clause.embedding].name,
                         print(*clause.value, rule));

@@ -147,7 +147,8 @@ struct Parameter {
   std::string name;
   Type type = Type::Real;
   std::optional<Value> default_value;
-  std::string doc{};
+  std::string doc{};   ///< without the unit
+  std::string unit{};  ///< "m" of `/// [m] how far up`; empty if none is given
   ExternTypePtr external{};    ///< of Type::Extern
   ExprPtr computed_default{};  ///< a default that calls extern functions; it reads nothing
   Span span{};
@@ -189,6 +190,11 @@ struct Let {
   std::string name;
   ExprPtr value;
 };
+/// `require CONDITION;`, evaluated at the hooks before anything changes.
+struct Requirement {
+  ExprPtr condition;  ///< a Bool
+  std::string text;   ///< the condition in the words of the source, on one line: for the message that it does not hold
+};
 struct Clause {
   NodeId node;
   std::size_t embedding;
@@ -208,8 +214,8 @@ struct RuleScheme {
   std::vector<NodeId> hooks;     ///< in order of declaration; empty iff the left side is empty
   std::vector<Letter> hook_type; ///< o1 … ok of the first hook's type ⟨o1,…,ok⟩
   Side left, right;
-  std::vector<ExprPtr> requirements;  ///< of type Bool, evaluated at the hooks before anything changes
-  std::vector<Let> lets;              ///< evaluated once, at the hooks
+  std::vector<Requirement> requirements;
+  std::vector<Let> lets;  ///< evaluated once, at the hooks
   std::vector<Clause> clauses;
 
   Model const& model() const { return modeler->model; }
@@ -221,6 +227,9 @@ struct Program {
   std::vector<std::shared_ptr<Modeler const>> modelers;
   std::vector<RuleScheme> rules;
 };
+
+/// Does the requirement depend on where the rule is applied: does it, or a `let` that it names, start at a left node?
+bool depends_on_place(RuleScheme const& rule, Requirement const& requirement);
 
 /// An index of one side: the arcs that leave and enter each node by dimension. Holds pointers into the side, which must
 /// outlive it and not grow.

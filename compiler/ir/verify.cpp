@@ -154,9 +154,9 @@ std::optional<std::string> verify(RuleScheme const& rule) {
   for (Let const& let : rule.lets) {
     if (Fault fault = verify_expr(rule, let.value)) return fault;
   }
-  for (ExprPtr const& requirement : rule.requirements) {
-    if (requirement->type != ExprType{Type::Bool, false, false}) return "a requirement is not a Bool";
-    if (Fault fault = verify_expr(rule, requirement)) return fault;
+  for (Requirement const& requirement : rule.requirements) {
+    if (requirement.condition->type != ExprType{Type::Bool, false, false}) return "a requirement is not a Bool";
+    if (Fault fault = verify_expr(rule, requirement.condition)) return fault;
   }
   return {};
 }

@@ -10,6 +10,7 @@
 #include "compiler/sema/expressions.h"
 #include "compiler/sema/names.h"
 #include "compiler/sema/types.h"
+#include "compiler/sema/units.h"
 
 namespace jrule::sema {
 
@@ -54,7 +55,9 @@ struct RuleElaboration {
       if (!fresh) {
         report(Code::duplicate_name, p.name.span, fmt::format("the parameter `{}` is declared twice", p.name.text), {{first->second, "first declared here"}});
       }
-      ir::Parameter parameter{.name = p.name.text, .default_value = {}, .doc = p.doc, .span = p.name.span};
+      auto [unit, doc] = split_unit(p.doc);
+      ir::Parameter parameter{
+          .name = p.name.text, .default_value = {}, .doc = std::move(doc), .unit = std::move(unit), .span = p.name.span};
       if (auto const type = resolve_stored_type(p.type, externs, diagnostics)) {
         parameter.type = type->element;
         parameter.external = type->external;
@@ -343,7 +346,7 @@ struct RuleElaboration {
         }
       } else if (auto const* require = std::get_if<ast::Require>(&item)) {
         if (ir::ExprPtr value = check_expression(*require->condition, context, ir::ExprType{Type::Bool, false, false}, diagnostics)) {
-          rule.requirements.push_back(std::move(value));
+          rule.requirements.push_back({std::move(value), require->text});
         }
       } else if (auto const* node = std::get_if<ast::Node>(&item); node && !node->clauses.empty()) {
         report(Code::misplaced_item, node->clauses.front().span, fmt::format("a value is given to `{}` on the left side", node->name.text), {},

@@ -186,7 +186,11 @@ struct ArcStep {
 /// `a -0- b -1- c;`: nodes.size() == steps.size() + 1
 struct ArcChain { std::vector<Name> nodes; std::vector<ArcStep> steps; Span span; };
 struct Let { Name name; ExprPtr value; Span span; };
-struct Require { ExprPtr condition; Span span; };
+struct Require {
+  ExprPtr condition;
+  std::string text;  ///< the condition as written, a space for each gap between tokens
+  Span span;
+};
 using SideItem = std::variant<Node, ArcChain, Let, Require>;
 struct Side {
   std::vector<SideItem> items;

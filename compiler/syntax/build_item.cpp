@@ -195,7 +195,7 @@ ast::Side Builder::side(JRuleParser::SideContext* tree) {
 ast::SideItem Builder::side_item(JRuleParser::SideItemContext* tree) {
   if (tree->node() != nullptr) return node(tree);
   if (auto* t = tree->let()) return let(t);
-  if (auto* condition = tree->expression()) return ast::Require{expression(condition), span(tree)};
+  if (auto* condition = tree->expression()) return ast::Require{expression(condition), parser_.text(condition->getStart(), condition->getStop()), span(tree)};
   return arc_chain(tree);
 }
 

@@ -121,6 +121,18 @@ antlr4::Token* ItemParser::previous(antlr4::Token const* token) const {
   return nullptr;
 }
 
+std::string ItemParser::text(antlr4::Token const* first, antlr4::Token const* last) const {
+  std::string result = first->getText();
+  std::size_t end = first->getStopIndex() + 1;
+  for (std::size_t i = first->getTokenIndex() + 1; i <= last->getTokenIndex(); ++i) {
+    if (!is_visible(i)) continue;
+    if (tokens_[i]->getStartIndex() != end) result += ' ';
+    result += tokens_[i]->getText();
+    end = tokens_[i]->getStopIndex() + 1;
+  }
+  return result;
+}
+
 bool ItemParser::drop_failed_statement() {
   auto const type = [this](std::size_t index) { return is_visible(index) ? tokens_[index]->getType() : 0; };
   std::size_t const wrong = failure_.token->getTokenIndex();

@@ -52,6 +52,8 @@ class ItemParser {
   source::Span after(antlr4::Token const* token) const;
   /// A keyword or a sign as it is written, `rule`; empty for kinds of many spellings.
   std::string spelling(std::size_t kind) const;
+  /// From `first` to `last` as written, white space and comments between two tokens as one space.
+  std::string text(antlr4::Token const* first, antlr4::Token const* last) const;
   /// The visible token before, or null.
   antlr4::Token* previous(antlr4::Token const* token) const;
 

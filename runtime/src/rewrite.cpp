@@ -226,8 +226,13 @@ Error hook_not_determined(std::string_view rule, std::string_view hook) {
   return not_applicable(fmt::format("`{}` is not applicable: the orbit of the hook `{}` does not determine its whole copy of the pattern", rule, hook));
 }
 
-Error requirement_failed(std::string_view rule, std::string_view condition) {
-  return not_applicable(fmt::format("`{}` is not applicable: it requires {}", rule, condition));
+Error requirement_failed(std::string_view rule, std::string_view condition, std::vector<HookDart> const& hooks) {
+  std::string message = fmt::format("`{}` is not applicable: `{}` does not hold", rule, condition);
+  for (HookDart const& h : hooks) {
+    std::string_view const before = &h == &hooks.front() ? " where" : &h == &hooks.back() ? " and" : ",";
+    message += fmt::format("{} the hook `{}` is dart {}", before, h.hook, h.dart);
+  }
+  return not_applicable(std::move(message));
 }
 
 Error no_memory(std::string_view rule) {

@@ -117,8 +117,8 @@ TEST_F(Extern, FunctionsStandInLetsRequirementsAndClauses) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, jrule::Error::Kind::not_applicable);
   EXPECT_EQ(refused.error().message,
-            "`plough` is not applicable: it requires (and (< (hardest <0,1>(a by <0,1>).soil) 0.9) (== (count "
-            "<0,1>(a by <0,1>).soil) 1))");
+            "`plough` is not applicable: `hardest(<0,1>(a).soil) < 0.9 and count(<0,1>(a).soil) == 1` does not hold where the hook "
+            "`a` is dart " + std::to_string(made->a));
   EXPECT_EQ(map_.soil(made->a).name, "stone");
 }
 

@@ -430,7 +430,7 @@ ir::RuleScheme with_expressions(ir::RuleScheme rule, Random& random) {
     ExprPtr value = some(random.chance(20) ? ir::dart_type : type);
     if (value) rule.lets.push_back({"l" + std::to_string(i), std::move(value)});
   }
-  for (std::size_t i = random.below(3); i > 0; --i) rule.requirements.push_back(some({Type::Bool}));
+  for (std::size_t i = random.below(3); i > 0; --i) rule.requirements.push_back({some({Type::Bool}), "a condition"});
   for (ir::NodeId id = 0; id < rule.nodes.size(); ++id) {
     if (rule.nodes[id].deleted()) continue;
     for (std::size_t e = 0; e < rule.modeler->embeddings.size(); ++e) {

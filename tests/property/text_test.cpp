@@ -71,7 +71,7 @@ void check_printed(std::string const& property, Tally& tally, ir::RuleScheme (*r
     tally.clauses += rule.clauses.size();
     tally.values += rule.lets.size() + rule.requirements.size() + rule.parameters.size();
     for (ir::Let const& let : rule.lets) tally.add(*let.value);
-    for (ir::ExprPtr const& requirement : rule.requirements) tally.add(*requirement);
+    for (ir::Requirement const& requirement : rule.requirements) tally.add(*requirement.condition);
     for (ir::Clause const& clause : rule.clauses) tally.add(*clause.value);
   }));
   testing::Test::RecordProperty("printed", tally.printed);

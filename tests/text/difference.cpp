@@ -152,7 +152,7 @@ Difference difference(ir::RuleScheme const& a, ir::RuleScheme const& b, Order or
   Expressions const expressions{a, b};
   auto const same_parameter = [](ir::Parameter const& x, ir::Parameter const& y) {
     return x.name == y.name && same_type(x.value_type(), y.value_type()) && same_value(x.default_value, y.default_value) &&
-           same_default(x.computed_default, y.computed_default) && x.doc == y.doc;
+           same_default(x.computed_default, y.computed_default) && x.doc == y.doc && x.unit == y.unit;
   };
   auto const same_let = [&](ir::Let const& x, ir::Let const& y) { return x.name == y.name && expressions.same(*x.value, *y.value); };
   auto const same_clause = [&](ir::Clause const& x, ir::Clause const& y) {
@@ -167,7 +167,7 @@ Difference difference(ir::RuleScheme const& a, ir::RuleScheme const& b, Order or
                    {"the right arcs", arcs_of(a, a.right, order) == arcs_of(b, b.right, order)},
                    {"the lets", all_same(a.lets, b.lets, same_let)},
                    {"the requirements", all_same(a.requirements, b.requirements,
-                                                 [&](ir::ExprPtr const& x, ir::ExprPtr const& y) { return expressions.same(*x, *y); })},
+                                                 [&](ir::Requirement const& x, ir::Requirement const& y) { return expressions.same(*x.condition, *y.condition); })},
                    {"the clauses", all_same(a.clauses, b.clauses, same_clause)}});
 }
 

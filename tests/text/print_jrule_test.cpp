@@ -239,6 +239,39 @@ rule r on M { left { hook a <0,1>; } right { a; } })");
   EXPECT_EQ(changed([](ir::ExternType& type) { type.header = "a\"b"; }), "`a\"b` is no name or header of C++");
 }
 
+TEST(PrintJrule, KeepsUnitsOfParameters) {
+  ir::RuleScheme const rule = rule_of(R"(rule r(
+    /// [m] how far up
+    a: Real,
+    /// [°]
+    b: Real,
+    /// [kg m/s]
+    /// of each
+    c: Real,
+    /// [m] (high)
+    d: Real,
+    /// [0, 1] along the edge
+    e: Real,
+    /// [Soil](soil.md)
+    f: Real,
+    /// so far [m]
+    g: Real,
+    /// [m
+    /// ]
+    h: Real,
+    /// [ ] [] [\]
+    i: Real) on gmap(2) { left { hook x <>; } right { x; } })");
+  std::vector<std::pair<std::string, std::string>> found;
+  for (ir::Parameter const& p : rule.parameters) found.emplace_back(p.unit, p.doc);
+  std::vector<std::pair<std::string, std::string>> const expected{
+      {"m", "how far up"}, {"°", ""},         {"kg m/s", "of each"}, {"m", "(high)"}, {"", "[0, 1] along the edge"}, {"", "[Soil](soil.md)"},
+      {"", "so far [m]"},  {"", "[m\n]"}, {"", "[ ] [] [\\]"}};
+  EXPECT_EQ(found, expected);
+  auto const text = text::print_jrule(rule);
+  ASSERT_TRUE(text) << text.error().reason;
+  EXPECT_EQ(difference(rule, rule_of(*text), Order::kept), std::nullopt) << *text;
+}
+
 TEST(PrintJrule, KeepsDeclarationsVerbatim) {
   std::string const text = R"(model boxes {
   dimensions 0, 1, 3;
@@ -420,6 +453,11 @@ TEST(PrintJrule, RefusesRulesThatCannotBeWritten) {
   changed = rule;
   changed.right.arcs.push_back(changed.right.arcs.back());
   EXPECT_EQ(reason(changed), "rule `r`: the 2-arc from `b` to `a` stands twice on one side");
+  for (auto const& [unit, doc] : {std::pair{"", "[m] high"}, {"m]", ""}, {"0, 1", ""}, {"m", " high"}}) {
+    changed = rule;
+    changed.parameters.push_back({.name = "h", .default_value = {}, .doc = doc, .unit = unit});
+    EXPECT_EQ(reason(changed), "rule `r`: the unit of `h` is not told apart from its documentation") << unit << " " << doc;
+  }
   changed = rule;
   changed.doc = "ends with a space ";
   EXPECT_EQ(reason(changed), "rule `r`: a line of the documentation ends with white space");
@@ -482,7 +520,7 @@ rule r(i: Int, x: Real) on M { left { hook a <0>; } right { a; } })");
 
   ir::RuleScheme hidden = rule;
   hidden.parameters[0].name = "a";
-  hidden.requirements.push_back(expr(truth, ir::Apply{ir::Builtin::equal, {expr(integer, ir::ValueAt{0, a}), i}}));
+  hidden.requirements.push_back({expr(truth, ir::Apply{ir::Builtin::equal, {expr(integer, ir::ValueAt{0, a}), i}}), "a.n == i"});
   EXPECT_EQ(reason(hidden), "rule `r`: the node `a` is hidden by a value of that name");
 
   ir::ExprPtr deep = i;

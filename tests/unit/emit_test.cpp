@@ -203,9 +203,10 @@ TEST(Emit, CodeReadsFromTopToBottom) {
   expect_contains(code, R"(
   double const far = jrule::distance(position_of[a], apex) + height * static_cast<double>(scale);
 )");
-  expect_contains(code, R"(
+  expect_contains(code, R"cpp(
   if (!(far > 0.0 && !(height < 0.0 || scale == std::int64_t{2}))) {
-)");
+    return tl::unexpected(jrule::rewrite::requirement_failed("cone", "far > 0 and not (height < 0 or scale == 2)", {{"a", a}}));
+)cpp");
   expect_contains(code,
                   "new_position.add(apex + (jrule::mean(position_of.over(map, orbit_0_1, orbit_1, match_a[k])) - "
                   "position_of[map.target(match_a[k], 0)]) * far);\n");
@@ -316,7 +317,7 @@ extern fn wet(soil: Soil, rain: Real) -> Soil in "geo/soil.hpp" as "geo::wet";
 extern fn unused() -> Real in "unused.hpp" as "unused";
 modeler Land on gmap(2) { embedding soil : face -> Soil; }
 rule water(
-    /// in metres
+    /// [mm] how much fell
     rain: Real = 0.5, other: Soil = grass()) on Land {
   left  { hook a <0,1>; let before = a.soil; }
   right { a { soil = if rain < 1 then wet(before, rain) else other; } }
@@ -325,7 +326,7 @@ rule water(
   EXPECT_TRUE(emitted.problems.empty());
   expect_contains(emitted.header, "#include \"geo/grass.hpp\"\n#include \"geo/soil.hpp\"\n\n");
   EXPECT_EQ(emitted.header.find("unused.hpp"), std::string::npos);
-  expect_contains(emitted.header, "/// @param rain  Real, by default 0.5: in metres\n/// @param other  Soil, by default ::geo::grass()\n");
+  expect_contains(emitted.header, "/// @param rain  Real in mm, by default 0.5: how much fell\n/// @param other  Soil, by default ::geo::grass()\n");
   expect_contains(emitted.header, "water(Land& land, jrule::Dart a, double rain = 0.5, ::geo::Soil const& other = ::geo::grass());");
   expect_contains(emitted.code, "::geo::Soil const before = soil_of[a];\n");
   expect_contains(emitted.code, "rain < 1.0 ? ::geo::wet(before, rain) : other");

@@ -64,8 +64,8 @@ TEST(Interpreter, SplitOrbitsKeepTheirValue) {
   ASSERT_TRUE(sew.at(map, {0, 6}));
   ASSERT_TRUE(unsew.at(map, {0}));
   EXPECT_FALSE(find_violation(map));
-  EXPECT_EQ(real_at(map, 5), 1.5);
-  EXPECT_EQ(real_at(map, 11), 1.5);
+  for (Dart const d : {0U, 5U, 6U, 11U}) EXPECT_EQ(real_at(map, d), 1.5);
+  for (Dart const d : {1U, 2U, 7U, 8U}) EXPECT_EQ(real_at(map, d), 2.5);
 }
 
 TEST(Interpreter, AClauseReachesBeyondTheMatchedPart) {
@@ -75,6 +75,28 @@ TEST(Interpreter, AClauseReachesBeyondTheMatchedPart) {
   EXPECT_EQ(real_at(map, 1), 11);
   EXPECT_EQ(real_at(map, 2), 11);  // the other dart of that corner
   EXPECT_EQ(real_at(map, 0), 0);
+  EXPECT_FALSE(find_violation(map));
+
+  // The vertex of two sewn triangles lies in a face of which the rule matches no dart.
+  Applier sew(vertex_weight + "rule sew on S { left { hook a <0>; hook b <0>; a -2- a; b -2- b; } right { a; b; a -2- b; } }");
+  Map sewn = sew.polygons({3, 3});
+  ASSERT_TRUE(sew.at(sewn, {0, 6}));
+  ASSERT_TRUE(set.at(sewn, {0}, {10.0}));
+  for (Dart const d : {0U, 5U, 6U, 11U}) EXPECT_EQ(real_at(sewn, d), 11.5);
+  EXPECT_FALSE(find_violation(sewn));
+}
+
+TEST(Interpreter, AListReachesBeyondTheMatchedPartAndIsReadBefore) {
+  // The surface of two triangles has the vertices 1.5, 2.5, 2 and 5 before it is cut; after that neither part has them all.
+  Applier sew(vertex_weight + "rule sew on S { left { hook a <0>; hook b <0>; a -2- a; b -2- b; } right { a; b; a -2- b; } }");
+  Applier cut(vertex_weight +
+              "rule cut on S { left { hook a <0>; b <0>; a -2- b; } right { a { w = sum(<0,1,2>(a).w); } b; a -2- a; b -2- b; } }");
+  Map map = sew.polygons({3, 3});
+  ASSERT_TRUE(sew.at(map, {0, 6}));
+  ASSERT_TRUE(cut.at(map, {0}));
+  for (Dart const d : {0U, 5U, 1U, 2U}) EXPECT_EQ(real_at(map, d), 11);
+  for (Dart const d : {6U, 11U}) EXPECT_EQ(real_at(map, d), 1.5);
+  for (Dart const d : {7U, 8U}) EXPECT_EQ(real_at(map, d), 2.5);
   EXPECT_FALSE(find_violation(map));
 }
 
@@ -107,10 +129,32 @@ TEST(Interpreter, RequirementsAndLets) {
   auto const refused = rule.at(map, {0}, {3.0});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, Error::Kind::not_applicable);
-  EXPECT_EQ(refused.error().message, "`r` is not applicable: it requires (< total limit)");
+  EXPECT_EQ(refused.error().message, "`r` is not applicable: `total < limit` does not hold where the hook `a` is dart 0");
   EXPECT_EQ(print_jmap(map), before);
   ASSERT_TRUE(rule.at(map, {0}, {3.5}));
   EXPECT_EQ(real_at(map, 0), 3);
+}
+
+TEST(Interpreter, ARequirementIsToldAsItIsWrittenAndWhere) {
+  auto const refusal = [](std::string const& text, std::vector<Dart> const& hooks, std::vector<Value> const& values = {}) {
+    Applier rule(vertex_weight + text);
+    Map map = rule.polygons({3, 4});
+    auto const refused = rule.at(map, hooks, values);
+    return refused ? "applied" : refused.error().message;
+  };
+  EXPECT_EQ(refusal("rule r on S { left { hook a <0,1>; require count( face(a) by <0> ) ==  /* a quad */\n"
+                    "      pi / pi + 3  // in numbers\n  ; } right { a; } }", {2}),
+            "`r` is not applicable: `count( face(a) by <0> ) == pi / pi + 3` does not hold where the hook `a` is dart 2");
+  std::string const two = "left { hook a <0>; hook b <0>; hook c <0>; a -2- a; b -2- b; c -2- c; require ";
+  std::string const unchanged = "; } right { a; b; c; a -2- a; b -2- b; c -2- c; } }";
+  EXPECT_EQ(refusal("rule r on S { " + two + "b.w < a.w" + unchanged, {0, 2, 6}),
+            "`r` is not applicable: `b.w < a.w` does not hold where the hook `a` is dart 0, the hook `b` is dart 2 and the hook `c` is dart 6");
+  // The same everywhere, also by way of a `let`: no dart is named.
+  std::string const parameter = "rule r(h: Real) on S { left { hook a <0,1>; let twice = 2 * h; let here = a.w; ";
+  EXPECT_EQ(refusal(parameter + "require twice > 0 and h > 0; } right { a; } }", {0}, {-1.0}), "`r` is not applicable: `twice > 0 and h > 0` does not hold");
+  EXPECT_EQ(refusal(parameter + "require twice > here; } right { a; } }", {0}, {-1.0}),
+            "`r` is not applicable: `twice > here` does not hold where the hook `a` is dart 0");
+  EXPECT_EQ(refusal("rule r(h: Real) on S { left { require h > 0; } right { } }", {}, {-1.0}), "`r` is not applicable: `h > 0` does not hold");
 }
 
 TEST(Interpreter, ARefusalLeavesTheMapAsItWas) {

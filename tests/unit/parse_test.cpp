@@ -188,6 +188,18 @@ TEST(Parse, spans_are_bytes_of_the_file) {
   EXPECT_EQ(parsed.sources.text(rule(parsed, 0).left.span), "{ require f(\"ü\", ( a + b ) * c); }");
 }
 
+TEST(Parse, requirements_keep_their_words) {
+  auto const text = [](std::string const& condition) {
+    auto const parsed = parse("// é\nrule r on S { left { require " + condition + "; } right { } }");
+    EXPECT_EQ(errors(parsed), Lines{});
+    return std::get<ast::Require>(rule(parsed, 0).left.items.at(0)).text;
+  };
+  EXPECT_EQ(text("a.x<1 and( b )"), "a.x<1 and( b )");
+  EXPECT_EQ(text("  a /* b\n * c */ +\t\r\n // d\n /// f\n  /*g*/e  /* h */ "), "a + e");
+  EXPECT_EQ(text("f(\"ü  /* */\", /* é */ x)"), "f(\"ü  /* */\", x)");
+  EXPECT_EQ(text("true"), "true");
+}
+
 TEST(Parse, byte_order_mark_and_line_ends) {
   auto const expected = syntax::dump(parse(std::string(tests::surface_example)).file);
   std::string dos = "\xEF\xBB\xBF";

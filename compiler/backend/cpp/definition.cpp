@@ -93,10 +93,11 @@ void document(Writer& out, Function const& f, bool hooks) {
   }
   for (std::size_t p = 0; p < f.parameters.size(); ++p) {
     ir::Parameter const& parameter = f.rule.parameters[p];
+    std::string const unit = parameter.unit.empty() ? "" : " in " + parameter.unit;
     std::string by_default;
     if (parameter.default_value) by_default = ", by default " + to_string(*parameter.default_value);
     if (parameter.computed_default) by_default = ", by default " + constant_expression(*parameter.computed_default);
-    out.line("/// @param {}  {}{}{}", f.parameters[p], to_string(parameter.value_type()), by_default, remark(parameter.doc));
+    out.line("/// @param {}  {}{}{}{}", f.parameters[p], to_string(parameter.value_type()), unit, by_default, remark(parameter.doc));
   }
   if (ir::find_extern_use(f.rule)) {
     out.text(hooks ? "/// @throws what C++ from outside throws, and then nothing has changed; running out of memory is returned"

@@ -63,7 +63,7 @@ void add_headers(ir::RuleScheme const& rule, std::set<std::string>& headers, sou
     result.add(let.value->type);
     result.add(let.value);
   }
-  for (ir::ExprPtr const& requirement : rule.requirements) result.add(requirement);
+  for (ir::Requirement const& requirement : rule.requirements) result.add(requirement.condition);
   for (ir::Clause const& clause : rule.clauses) result.add(clause.value);
 }
 

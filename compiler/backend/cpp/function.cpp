@@ -87,7 +87,7 @@ void Function::name_values() {
     }
   }
   for (ir::Let const& let : rule.lets) use(*let.value);
-  for (ir::ExprPtr const& requirement : rule.requirements) use(*requirement);
+  for (ir::Requirement const& requirement : rule.requirements) use(*requirement.condition);
 }
 
 void Function::use_orbit_type(OrbitType const& type) {

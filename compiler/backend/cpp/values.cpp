@@ -31,11 +31,15 @@ void write_conditions(Writer& out, Function const& f) {
     out.line("{}{} const {} = {};", f.uses_let[i] ? "" : "[[maybe_unused]] ", type_name(value.type), f.lets[i],
              expression(value, f, Where::at_hooks));
   }
-  for (ir::ExprPtr const& requirement : f.rule.requirements) {
-    out.line("// {}", place(f.sources, requirement->span));
-    out.open("if (!({})) {{", expression(*requirement, f, Where::at_hooks));
-    out.line("return tl::unexpected(jrule::rewrite::requirement_failed({}, {}));", literal(f.rule.name),
-             literal(ir::print(*requirement, f.rule)));
+  for (ir::Requirement const& requirement : f.rule.requirements) {
+    std::vector<std::string> hooks;
+    for (std::size_t h = 0; h < f.hooks.size() && depends_on_place(f.rule, requirement); ++h) {
+      hooks.push_back(fmt::format("{{{}, {}}}", literal(f.node(f.rule.hooks[h]).name), f.hooks[h]));
+    }
+    out.line("// {}", place(f.sources, requirement.condition->span));
+    out.open("if (!({})) {{", expression(*requirement.condition, f, Where::at_hooks));
+    out.line("return tl::unexpected(jrule::rewrite::requirement_failed({}, {}, {{{}}}));", literal(f.rule.name),
+             literal(requirement.text), fmt::join(hooks, ", "));
     out.close();
   }
 }

@@ -181,23 +181,29 @@ struct Application {
 
   // Evaluates the lets and requirements of one more application, whose hook is the k-th dart. If a requirement is not met,
   // returns it, and the lets are forgotten.
-  ir::ExprPtr evaluate_at_hooks(Index k) {
+  ir::Requirement const* evaluate_at_hooks(Index k) {
     std::size_t const before = lets.size();
     Index const a = rule.lets.empty() ? 0 : static_cast<Index>(before / rule.lets.size());
     for (ir::Let const& let : rule.lets) lets.push_back(evaluate(*let.value, scene(a), k));
-    for (ir::ExprPtr const& requirement : rule.requirements) {
-      if (std::get<bool>(evaluate_value(*requirement, scene(a), k))) continue;
+    for (ir::Requirement const& requirement : rule.requirements) {
+      if (std::get<bool>(evaluate_value(*requirement.condition, scene(a), k))) continue;
       lets.resize(before);
-      return requirement;
+      return &requirement;
     }
     return nullptr;
   }
 
   Result<void> check_requirements() {
-    if (ir::ExprPtr const failed = evaluate_at_hooks(0)) {
-      return tl::unexpected(rewrite::requirement_failed(rule.name, ir::print(*failed, rule)));
-    }
+    if (ir::Requirement const* const failed = evaluate_at_hooks(0)) return tl::unexpected(requirement_failed(*failed));
     return {};
+  }
+
+  Error requirement_failed(ir::Requirement const& requirement) const {
+    std::vector<rewrite::HookDart> hooks;
+    if (depends_on_place(rule, requirement)) {
+      for (ir::NodeId const hook : rule.hooks) hooks.push_back({name(hook), match[hook][0]});
+    }
+    return rewrite::requirement_failed(rule.name, requirement.text, hooks);
   }
 
   void evaluate_clauses() {

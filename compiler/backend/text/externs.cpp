@@ -72,7 +72,7 @@ Externs externs_of(std::vector<std::shared_ptr<ir::Modeler const>> const& modele
       collection.add(parameter.computed_default);
     }
     for (ir::Let const& let : rule.lets) collection.add(let.value);
-    for (ir::ExprPtr const& requirement : rule.requirements) collection.add(requirement);
+    for (ir::Requirement const& requirement : rule.requirements) collection.add(requirement.condition);
     for (ir::Clause const& clause : rule.clauses) collection.add(clause.value);
   }
   return std::move(collection.found);

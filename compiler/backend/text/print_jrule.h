@@ -18,7 +18,7 @@ using Spelled = tl::expected<T, Unspellable>;
 
 /// A source file of the program's modelers, the models and the C++ that they need, and its rules, in canonical layout. Parsed and
 /// elaborated under the name `program.module` it gives the same program again, but for:
-/// - spans, of course;
+/// - spans, of course, and the words of requirements, which become canonical: `pi / 2` is a number;
 /// - modelers, extern types and extern functions that the program imports, which the file declares itself, so that it stands
 ///   alone;
 /// - imported rules, which the file declares itself too, `Terrain.quad` as `Terrain_quad`;

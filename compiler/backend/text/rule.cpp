@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compiler/backend/text/expression.h"
+#include "compiler/sema/units.h"
 
 namespace jrule::text {
 
@@ -177,7 +178,10 @@ class RuleSpeller {
     for (ir::Parameter const& p : rule_.parameters) {
       ir::ExprType const type = p.value_type();
       if (p.default_value && ir::ExprType{type_of(*p.default_value)} != type) fail(fmt::format("the default of `{}` has another type", p.name));
-      std::string text = p.doc.empty() ? "" : "\n" + documentation(p.doc, "    ");
+      std::string const doc = p.unit.empty() ? p.doc : fmt::format("[{}]{}{}", p.unit, p.doc.empty() ? "" : " ", p.doc);
+      auto const [unit, rest] = sema::split_unit(doc);
+      if (unit != p.unit || rest != p.doc) fail(fmt::format("the unit of `{}` is not told apart from its documentation", p.name));
+      std::string text = doc.empty() ? "" : "\n" + documentation(doc, "    ");
       text += fmt::format("{}: {}", p.name, to_string(type));
       if (p.default_value) text += " = " + spell_constant(*p.default_value);
       if (p.computed_default) text += " = " + take(text::spell(*p.computed_default, ir::RuleScheme{}, group_, 0, type));
@@ -241,8 +245,8 @@ class RuleSpeller {
     std::size_t const all = rule_.lets.size();
     std::vector<std::string> requirements(all + 1);  // behind so many lets
     std::size_t lets = all;
-    for (auto condition = rule_.requirements.rbegin(); condition != rule_.requirements.rend(); ++condition) {
-      auto const spell = [&](std::size_t count) { return text::spell(**condition, rule_, group_, count, ir::ExprType{Type::Bool}); };
+    for (auto requirement = rule_.requirements.rbegin(); requirement != rule_.requirements.rend(); ++requirement) {
+      auto const spell = [&](std::size_t count) { return text::spell(*requirement->condition, rule_, group_, count, ir::ExprType{Type::Bool}); };
       Spelled<std::string> const latest = spell(lets);
       Spelled<std::string> text = latest;
       while (!text && lets > 0) text = spell(--lets);

@@ -114,7 +114,12 @@ Error arc_differs(std::string_view rule, std::string_view source, int dimension,
                   Dart expected);
 Error matched_twice_error(std::string_view rule, Dart d);
 Error hook_not_determined(std::string_view rule, std::string_view hook);
-Error requirement_failed(std::string_view rule, std::string_view condition);
+struct HookDart {
+  std::string_view hook;
+  Dart dart;
+};
+/// `condition` as it is written; `hooks` where it does not hold, none if it is the same everywhere.
+Error requirement_failed(std::string_view rule, std::string_view condition, std::vector<HookDart> const& hooks);
 Error no_memory(std::string_view rule);
 
 }  // namespace jrule::rewrite
