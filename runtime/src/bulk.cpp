@@ -48,7 +48,7 @@ Applications without(Applications const& all, std::vector<bool> const& refused) 
   return kept;
 }
 
-std::vector<Dart> without(Applications const& all, std::vector<bool> const& refused, std::vector<Dart> const& match) {
+std::vector<Dart> without(Applications const& all, std::vector<bool> const& refused, std::span<Dart const> match) {
   std::vector<Dart> kept;
   for (std::size_t k = 0; k < match.size(); ++k) {
     if (!refused[all.number[k]]) kept.push_back(match[k]);
@@ -79,7 +79,7 @@ Column bulk_column(Map const& map, std::vector<Dart> const& pattern, Word const&
   return result;
 }
 
-void refuse_matched_twice(Applications const& all, std::span<std::vector<Dart> const* const> matches, Workspace& workspace,
+void refuse_matched_twice(Applications const& all, std::span<std::span<Dart const> const> matches, Workspace& workspace,
                           std::vector<bool>& refused) {
   // The indices of P, one application after the other: marks are of one application at a time.
   std::vector<Index> begin(all.count() + 1, 0), order(all.pattern.size());
@@ -90,9 +90,9 @@ void refuse_matched_twice(Applications const& all, std::span<std::vector<Dart> c
   for (std::size_t a = 0; a < all.count(); ++a) {
     if (refused[a]) continue;
     workspace.clear_marks();
-    for (std::vector<Dart> const* const match : matches) {
+    for (std::span<Dart const> const match : matches) {
       for (Index i = begin[a]; i < begin[a + 1]; ++i) {
-        if (!workspace.mark((*match)[order[i]], 0)) refused[a] = true;
+        if (!workspace.mark(match[order[i]], 0)) refused[a] = true;
       }
     }
   }

@@ -44,29 +44,36 @@ std::vector<Dart> Map::darts() const {
   return live;
 }
 
-std::vector<Dart> Map::add_darts(std::size_t count) {
-  std::size_t const reused = std::min(count, free_.size());
-  std::size_t const appended = count - reused;
-  if (appended > most_darts - limit_) throw std::length_error("a map has at most 2^32 - 2 darts");
-
-  // Everything that may fail comes before the first change.
-  std::size_t const limit = limit_ + appended;
+std::size_t Map::reserve_darts(std::size_t count) {
+  if (count > most_darts - limit_) throw std::length_error("a map has at most 2^32 - 2 darts");
+  std::size_t const limit = limit_ + count;
   std::size_t capacity = columns_[0].targets.capacity();
   if (limit > capacity) capacity = std::max(limit, 2 * capacity);
-  std::vector<Dart> added;
-  added.reserve(count);
   for (std::size_t k = 0; k < columns_.size(); ++k) {
     columns_[k].targets.reserve(capacity);
     if (model_.is_oriented(model_.dimensions[k])) columns_[k].sources.reserve(capacity);
   }
   for (Embedding& e : embeddings_) e.reserve(capacity);
+  return limit;
+}
+
+std::vector<Dart> Map::add_darts(std::size_t count) {
+  if (count > most_darts) throw std::length_error("a map has at most 2^32 - 2 darts");
+  std::vector<Dart> added(count);
+  add_darts(added);
+  return added;
+}
+
+void Map::add_darts(std::span<Dart> added) {
+  std::size_t const reused = std::min(added.size(), free_.size());
+  std::size_t const limit = reserve_darts(added.size() - reused);  // everything that may fail
 
   for (std::size_t k = 0; k < reused; ++k) {
-    added.push_back(free_.front());
+    added[k] = free_.front();
     std::pop_heap(free_.begin(), free_.end(), std::greater<>{});
     free_.pop_back();
   }
-  for (std::size_t d = limit_; d < limit; ++d) added.push_back(static_cast<Dart>(d));
+  for (std::size_t d = limit_; d < limit; ++d) added[reused + d - limit_] = static_cast<Dart>(d);
   for (std::size_t k = 0; k < columns_.size(); ++k) {
     Column& c = columns_[k];
     c.targets.resize(limit);
@@ -78,7 +85,18 @@ std::vector<Dart> Map::add_darts(std::size_t count) {
   }
   for (Embedding& e : embeddings_) e.resize(limit);  // an erased dart's handle is no_handle already
   limit_ = static_cast<Dart>(limit);
-  return added;
+}
+
+Dart Map::append_darts(std::size_t count) {
+  std::size_t const limit = reserve_darts(count);
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    columns_[k].targets.resize(limit);
+    if (model_.is_oriented(model_.dimensions[k])) columns_[k].sources.resize(limit);
+  }
+  for (Embedding& e : embeddings_) e.extend(limit);
+  Dart const first = limit_;
+  limit_ = static_cast<Dart>(limit);
+  return first;
 }
 
 void Map::undo_add(std::span<Dart const> added, Dart limit) noexcept {

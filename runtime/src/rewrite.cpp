@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace jrule::rewrite {
@@ -16,6 +17,17 @@ void Workspace::reserve(std::size_t darts) {
   queue_.reserve(room);
   handles_.reserve(room);
   stamp_.resize(room, 0);  // last: its size says how much room there is
+}
+
+Index* Workspace::column(std::size_t size) {
+  if (used_ == columns_.size()) columns_.emplace_back();
+  ColumnOf<Index>& column = columns_[used_++];
+  if (column.size() < size) {
+    // Nothing of it is kept.
+    column.clear();
+    column.resize(std::max(size, 2 * column.capacity()));
+  }
+  return column.data();
 }
 
 void Workspace::clear_marks() noexcept {
@@ -37,18 +49,18 @@ Dart walk_back(Map const& map, Dart d, Word const& word) noexcept {
 }  // namespace
 
 std::vector<Dart> close_pattern(Map const& map, Dart hook, std::span<Word const> words, Workspace& workspace) {
+  workspace.begin();
   workspace.reserve(map.dart_limit());
   workspace.clear_marks();
-  std::vector<Dart> pattern{hook};
-  workspace.mark(hook, 0);
-  for (std::size_t k = 0; k < pattern.size(); ++k) {
+  workspace.meet(hook);
+  for (std::size_t k = 0; k < workspace.pattern().size(); ++k) {
+    Dart const d = workspace.pattern()[k];
     for (Word const& word : words) {
-      for (Dart const d : {map.walk(pattern[k], word), walk_back(map, pattern[k], word)}) {
-        if (workspace.mark(d, static_cast<Index>(pattern.size()))) pattern.push_back(d);
-      }
+      workspace.meet(map.walk(d, word));
+      workspace.meet(walk_back(map, d, word));
     }
   }
-  return pattern;
+  return workspace.pattern();
 }
 
 Column column(Map const& map, std::vector<Dart> const& pattern, Word const& word, Workspace const& workspace) {
@@ -57,54 +69,78 @@ Column column(Map const& map, std::vector<Dart> const& pattern, Word const& word
   return result;
 }
 
-std::vector<Dart> walk_in_step(Map const& map, Dart hook, std::size_t pattern_size, std::span<Loop const> loops) {
-  std::vector<Dart> match(pattern_size, no_dart);
-  std::vector<Index> queue{0};
+std::span<Dart const> walk_in_step(Map const& map, Dart hook, std::size_t pattern_size, std::span<Loop const> loops, Workspace& workspace) {
+  Dart* const match = workspace.column(pattern_size);
+  Index* const queue = workspace.column(pattern_size);
+  std::fill(match, match + pattern_size, no_dart);
   match[0] = hook;
+  queue[0] = 0;
+  std::size_t met = 1;
   // Columns are permutations, so following them forwards from 0 reaches all that can be reached.
-  for (std::size_t next = 0; next < queue.size(); ++next) {
+  for (std::size_t next = 0; next < met; ++next) {
     Index const k = queue[next];
     for (Loop const& loop : loops) {
-      Index const to = (*loop.word)[k];
-      if (match[to] == no_dart) {
-        match[to] = map.target(match[k], loop.dimension);
-        queue.push_back(to);
-      }
+      Index const to = loop.word[k];
+      if (match[to] != no_dart) continue;
+      match[to] = map.target(match[k], loop.dimension);
+      queue[met++] = to;
     }
   }
-  if (queue.size() != pattern_size) return {};
-  return match;
+  if (met != pattern_size) return {};
+  return {match, pattern_size};
 }
 
-std::optional<Dart> matched_twice(std::span<std::vector<Dart> const* const> matches, Workspace& workspace) {
+std::optional<Dart> matched_twice(std::span<std::span<Dart const> const> matches, Workspace& workspace) {
   workspace.clear_marks();
-  for (std::vector<Dart> const* const match : matches) {
-    for (Dart const d : *match) {
+  for (std::span<Dart const> const match : matches) {
+    for (Dart const d : match) {
       if (!workspace.mark(d, 0)) return d;
     }
   }
   return {};
 }
 
-Column pattern_orbits(std::size_t pattern_size, std::span<Column const* const> generators) {
-  Column orbit(pattern_size);
+Index const* pattern_orbits(std::size_t pattern_size, std::span<Index const* const> generators, bool involutions, Workspace& workspace) {
   constexpr Index unknown = 0xffffffffU;
-  std::fill(orbit.begin(), orbit.end(), unknown);
-  std::vector<Index> queue;
+  Index* const orbit = workspace.column(pattern_size);
+  std::fill(orbit, orbit + pattern_size, unknown);
+  if (generators.empty()) {
+    std::iota(orbit, orbit + pattern_size, Index{0});
+    return orbit;
+  }
+  if (involutions) {
+    Index const* const one = generators[0];
+    Index const* const two = generators[1];
+    for (Index start = 0; start < pattern_size; ++start) {
+      if (orbit[start] != unknown) continue;
+      // Both ways round, taking turns: a circle is met again, a path ends at a loop.
+      orbit[start] = start;
+      for (Index const* step : {one, two}) {
+        for (Index k = step[start]; orbit[k] == unknown; k = step[k]) {
+          orbit[k] = start;
+          step = step == one ? two : one;
+        }
+      }
+    }
+    return orbit;
+  }
+  Index* const open = generators.size() > 1 ? workspace.column(pattern_size) : nullptr;
   for (Index start = 0; start < pattern_size; ++start) {
     if (orbit[start] != unknown) continue;
-    // Columns are permutations of a finite set: their forward orbits are their orbits.
     orbit[start] = start;
-    queue.assign(1, start);
-    while (!queue.empty()) {
-      Index const k = queue.back();
-      queue.pop_back();
-      for (Column const* const generator : generators) {
-        Index const to = (*generator)[k];
-        if (orbit[to] == unknown) {
-          orbit[to] = start;
-          queue.push_back(to);
-        }
+    if (generators.size() == 1) {
+      for (Index k = generators[0][start]; k != start; k = generators[0][k]) orbit[k] = start;
+      continue;
+    }
+    std::size_t count = 0;
+    open[count++] = start;
+    while (count != 0) {
+      Index const k = open[--count];
+      for (Index const* const generator : generators) {
+        Index const to = generator[k];
+        if (orbit[to] != unknown) continue;
+        orbit[to] = start;
+        open[count++] = to;
       }
     }
   }

@@ -1,5 +1,6 @@
 #include "tests/integration/both.h"
 
+#include "compiler/analysis/independence.h"
 #include "compiler/backend/interpreter/interpreter.h"
 #include "compiler/sema/elaborate.h"
 
@@ -53,7 +54,9 @@ Outcome interpret(Module::Rule const& rule, Map map, std::vector<Dart> const& ho
 Outcome interpret_everywhere(Module::Rule const& rule, Map map, std::vector<Value> const& arguments) {
   rewrite::Workspace workspace;
   Outcome outcome;
-  if (auto const count = interpreter::apply_everywhere(rule.scheme, rule.plan, map, arguments, workspace)) {
+  bool const at_once = analysis::analyze_independence(rule.scheme, rule.plan).independent();
+  auto const apply = at_once ? interpreter::apply_all : interpreter::apply_everywhere;
+  if (auto const count = apply(rule.scheme, rule.plan, map, arguments, workspace)) {
     outcome.count = *count;
   } else {
     outcome.error = to_string(count.error());

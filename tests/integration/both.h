@@ -35,18 +35,26 @@ class Module {
 struct Outcome {
   std::string error{};                      ///< empty if it was applied
   std::vector<std::vector<Dart>> copies{};  ///< of the right nodes, in the order of the rule's nodes
-  std::size_t count = 0;                    ///< of apply_everywhere
+  std::size_t count = 0;                    ///< how often everywhere; not told by generated code, not compared
   std::string map{};                        ///< the result as .jmap text
-  bool operator==(Outcome const&) const = default;
+  bool operator==(Outcome const& other) const { return error == other.error && copies == other.copies && map == other.map; }
 };
 void PrintTo(Outcome const& outcome, std::ostream* out);
 
 Outcome interpret(Module::Rule const& rule, Map map, std::vector<Dart> const& hooks,
                   std::vector<Value> const& arguments);
+/// At all orbits of the hook at once if the rule is independent, else in turn.
 Outcome interpret_everywhere(Module::Rule const& rule, Map map, std::vector<Value> const& arguments);
 
 /// Gives every orbit of every embedding a value of its own, so that equal values cannot hide a mistake.
 void number_values(Map& map);
+
+/// The columns of a result, which are valid until the next application.
+inline std::vector<std::vector<Dart>> lists(std::vector<std::span<Dart const>> const& columns) {
+  std::vector<std::vector<Dart>> all;
+  for (std::span<Dart const> const column : columns) all.emplace_back(column.begin(), column.end());
+  return all;
+}
 
 /// Applies `call` to a copy of the map. Class is a generated modeler; `copies` picks the columns of its result.
 template <class Class, class Call, class Copies>
@@ -69,11 +77,7 @@ Outcome generated_everywhere(Map const& start, Call call) {
   auto modeler = Class::from_map(start);
   if (!modeler) return {.error = modeler.error().message};
   Outcome outcome;
-  if (auto const count = call(*modeler)) {
-    outcome.count = *count;
-  } else {
-    outcome.error = to_string(count.error());
-  }
+  if (auto const applied = call(*modeler); !applied) outcome.error = to_string(applied.error());
   outcome.map = print_jmap(modeler->map());
   return outcome;
 }

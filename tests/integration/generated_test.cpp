@@ -38,7 +38,7 @@ Map read(std::string const& file) {
 #define COPIES(...)                                     \
   [](auto const& result) {                              \
     auto const& c = result.copies;                      \
-    return std::vector<std::vector<Dart>>{__VA_ARGS__}; \
+    return jrule::test::lists({__VA_ARGS__});           \
   }
 auto const none = [](auto const&) { return std::vector<std::vector<Dart>>{}; };
 

@@ -186,7 +186,7 @@ class Shape {
       "jrule::Result<ConeResult> cone(Shape& shape, jrule::Dart a, std::int64_t scale, double height = 0.5, "
       "jrule::Point3 apex = jrule::Point3{0.0, 0.0, 1.0});\n");
   expect_contains(header,
-                  "jrule::Result<std::size_t> cone_everywhere(Shape& shape, std::int64_t scale, double height = 0.5, ");
+                  "jrule::Result<void> cone_everywhere(Shape& shape, std::int64_t scale, double height = 0.5, ");
 }
 
 TEST(Emit, CodeReadsFromTopToBottom) {
@@ -208,13 +208,44 @@ TEST(Emit, CodeReadsFromTopToBottom) {
     return tl::unexpected(jrule::rewrite::requirement_failed("cone", "far > 0 and not (height < 0 or scale == 2)", {{"a", a}}));
 )cpp");
   expect_contains(code,
-                  "new_position.add(apex + (jrule::mean(position_of.over(map, orbit_0_1, orbit_1, match_a[k])) - "
-                  "position_of[map.target(match_a[k], 0)]) * far);\n");
-  expect_contains(code, "    for (std::size_t k = 0; k < n; ++k) map.set_target(match_a[k], 2, added_b[k]);\n");
-  std::size_t const match = code.find("// ---- Match"), plan = code.find("// ---- Plan"),
-                    room = code.find("// ---- Room"), commit = code.find("// ---- Commit"),
-                    end = code.find("return ConeResult{");
-  EXPECT_TRUE(match < plan && plan < room && room < commit && commit < end && end != std::string::npos);
+                  "new_position.add(apex + (jrule::rewrite::total(walk_0_1_by_1, map, match_a[k], [&](jrule::Dart at) { "
+                  "return position_of[at]; }).mean() - position_of[map.target(match_a[k], 0)]) * all_far[number[k]]);\n");
+  expect_contains(code, "    for (std::size_t k = 0; k < n; ++k) arcs_2[match_a[k]] = added_b[k];\n");
+  std::size_t const room = code.find("// ---- Room"), commit = code.find("// ---- Commit"), end = code.find("return ConeResult{"),
+                    match = code.find("// ---- Match"), plan = code.find("// ---- Plan"), call = code.find("return rewrite_cone(");
+  EXPECT_TRUE(room < commit && commit < end && end < match && match < plan && plan < call && call != std::string::npos);
+}
+
+// A rule without tests at all darts of a map: the map's columns serve as they are, and each is read before it is written.
+TEST(Emit, AllDartsAreWrittenInPlace) {
+  std::string const code = emit_module(R"(modeler M on omap(2) { }
+rule quad on M {
+  left  { hook a <1,2>; }
+  right {
+    a <_,_>; b; c; d;
+    a -1-> c;  c -1[~1]-> d;  d -1-> b;  b -1[1]-> a;
+    a -2[2]- b;  c -2- d;
+  }
+}
+)").code;
+  expect_contains(code, "  if (!map.has_erased_darts() && rewrite_all_quad(m)) return {};\n");
+  expect_contains(code, R"cpp(
+  jrule::Dart const added_b = map.append_darts(3 * n);
+  jrule::Dart const added_c = static_cast<jrule::Dart>(added_b + n);
+)cpp");
+  std::size_t const in_place = code.find("static bool rewrite_all_quad");
+  std::string const dense = code.substr(in_place, code.find("return true;", in_place) - in_place);
+  expect_contains(dense, "jrule::rewrite::Index const* at_1 = map.targets(1).data();\n");
+  expect_contains(dense, R"cpp(
+    // shapes.jrule:6: b -1[1]-> a
+    for (jrule::Dart k = 0; k < n; ++k) {
+      jrule::Dart const at = added_b + k, to = at_1[k];
+      arcs_1[at] = to;
+      sources_1[to] = at;
+    }
+)cpp");
+  EXPECT_LT(dense.find("c -1[~1]-> d"), dense.find("b -1[1]-> a"));
+  EXPECT_LT(dense.find("b -1[1]-> a"), dense.find("a -1-> c"));
 }
 
 TEST(Emit, ComprehensionsAreLambdas) {
@@ -230,14 +261,14 @@ rule smooth on Shape {
 )").code;
   expect_contains(code, "  jrule::Dart const start = map.target(map.target(a, 0), 1);\n");
   expect_contains(code,
-                  "  if (!(jrule::rewrite::all(jrule::rewrite::each(map, orbit_1_2, orbit_1, start, [&](jrule::Dart k_) { "
-                  "return static_cast<std::int64_t>(jrule::rewrite::representatives(map, orbit_0_1, orbit_0, k_).size()) > "
-                  "std::int64_t{3}; })) && static_cast<std::int64_t>(jrule::rewrite::each(map, orbit_1_2, {}, a, "
+                  "  if (!(jrule::rewrite::all(jrule::rewrite::each(walk_1_2_by_1, map, start, [&](jrule::Dart k_) { "
+                  "return jrule::rewrite::count(walk_0_1_by_0, map, k_) > "
+                  "std::int64_t{3}; })) && static_cast<std::int64_t>(jrule::rewrite::each(walk_1_2, map, a, "
                   "[&](jrule::Dart) { return std::int64_t{1}; }).size()) > std::int64_t{4})) {\n");
   expect_contains(code,
-                  "new_position.add(map.target(match_a[k], 2) == match_a[k] ? position_of[start] : "
-                  "jrule::mean(jrule::rewrite::each(map, orbit_1_2, {}, match_a[k], [&](jrule::Dart f) { return "
-                  "jrule::mean(position_of.over(map, orbit_0_1, {}, f)); })));\n");
+                  "new_position.add(map.target(match_a[k], 2) == match_a[k] ? position_of[all_start[number[k]]] : "
+                  "jrule::rewrite::total(walk_1_2, map, match_a[k], [&](jrule::Dart f) { return "
+                  "jrule::rewrite::total(walk_0_1, map, f, [&](jrule::Dart at) { return position_of[at]; }).mean(); }).mean());\n");
 }
 
 TEST(Emit, EqualInputsGiveEqualBytes) {
@@ -329,7 +360,7 @@ rule water(
   expect_contains(emitted.header, "/// @param rain  Real in mm, by default 0.5: how much fell\n/// @param other  Soil, by default ::geo::grass()\n");
   expect_contains(emitted.header, "water(Land& land, jrule::Dart a, double rain = 0.5, ::geo::Soil const& other = ::geo::grass());");
   expect_contains(emitted.code, "::geo::Soil const before = soil_of[a];\n");
-  expect_contains(emitted.code, "rain < 1.0 ? ::geo::wet(before, rain) : other");
+  expect_contains(emitted.code, "rain < 1.0 ? ::geo::wet(all_before[number[k]], rain) : other");
 }
 
 TEST(Emit, ExternHeadersOfConditionsOfDarts) {

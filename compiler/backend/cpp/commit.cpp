@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "compiler/backend/cpp/sections.h"
@@ -29,36 +30,38 @@ void write_reserve(Writer& out, Function const& f) {
     for (auto const& component : f.plan.orbits) {
       if (component.embedding == e && component.kind == Kind::merge && !f.merges_on_trial(e)) ++merges;
     }
-    std::string const more = merges == 0 ? "" : times(merges, f.size);
-    if (f.adds_values[e]) {
-      out.line("{}.reserve({});", f.new_values[e], more);
-    } else if (merges != 0) {
-      out.line("{}.reserve_values({});", f.embeddings[e], more);
-    }
+    if (merges != 0) out.line("{}.reserve_values({});", f.embeddings[e], times(merges, f.size));
   }
   if (!f.plan.deleted.empty()) out.line("{}.reserve_erase({});", f.map, times(f.plan.deleted.size(), f.size));
   if (visits_orbits(f)) {
     out.line("{}.reserve({}.dart_limit(){});", f.workspace, f.map,
              f.plan.added.empty() ? "" : " + " + times(f.plan.added.size(), f.size));
   }
-  std::string darts = f.map;
   if (f.merges_on_trial()) {
-    darts = f.local("trial");
-    out.line("jrule::rewrite::Trial {}({}, {}, {});", darts, f.map, f.workspace, times(f.plan.writes.size(), f.size));
+    out.line("jrule::rewrite::Trial {}({}, {}, {});", f.local("trial"), f.map, f.workspace, times(f.plan.writes.size(), f.size));
   }
+}
+
+// The added nodes' darts: those of one node follow on those of the one before.
+void write_additions(Writer& out, Function const& f) {
   if (f.plan.added.empty()) return;
-  std::string columns;
-  for (ir::NodeId const id : f.plan.added)
-    columns += fmt::format("{}{}({})", columns.empty() ? "" : ", ", f.darts[id], f.size);
-  out.line("std::vector<jrule::Dart> {};", columns);
-  out.line("{} const {} = {}.add_darts({});", f.merges_on_trial() ? "std::span<jrule::Dart const>" : "std::vector<jrule::Dart>",
-           f.local("added"), darts, times(f.plan.added.size(), f.size));
-  out.open("{} {{", f.loop());
-  for (std::size_t i = 0; i < f.plan.added.size(); ++i) {
-    out.line("{} = {}[{}{}];", f.dart(f.plan.added[i]), f.local("added"), i == 0 ? "" : times(i, f.size) + " + ",
-             f.index);
+  std::string const count = times(f.plan.added.size(), f.size);
+  std::string first;
+  if (f.form == Form::dense) {
+    first = fmt::format("{}.append_darts({})", f.map, count);
+  } else if (f.merges_on_trial()) {
+    first = fmt::format("{}.add_darts({}).data()", f.local("trial"), count);
+  } else {
+    first = f.local("added");
+    out.line("jrule::Dart* const {} = {}.column({});", first, f.workspace, count);
+    out.line("{}.add_darts(std::span({}, {}));", f.map, first, count);
   }
-  out.close();
+  for (std::size_t i = 0; i < f.plan.added.size(); ++i) {
+    std::string const& name = f.darts[f.plan.added[i]];
+    std::string start = i == 0 ? first : fmt::format("{} + {}", f.darts[f.plan.added[i - 1]], f.size);
+    if (f.form == Form::dense && i > 0) start = fmt::format("static_cast<jrule::Dart>({})", start);
+    out.line("jrule::Dart const{} {} = {};", f.form == Form::dense ? "" : "* const", name, start);
+  }
 }
 
 void write_deletions(Writer& out, Function const& f) {
@@ -68,13 +71,49 @@ void write_deletions(Writer& out, Function const& f) {
   }
 }
 
-// `to`: the map, or the trial.
-void write_arcs(Writer& out, Function const& f, std::string const& to) {
-  for (ir::Arc const& arc : f.plan.writes) {
-    out.line("// {}: {}", place(f.sources, arc.span),
-             arc_text(f.rule, arc.source, arc.dimension, arc.word, arc.target));
-    out.line("{} {}.set_target({}, {}, {});", f.loop(), to, f.dart(arc.source), arc.dimension,
-             f.dart(arc.target, arc.word));
+// The columns of the map that change, as they lie once darts are added.
+void write_views_of_map(Writer& out, Function const& f) {
+  Model const& model = f.rule.model();
+  for (int const d : model.dimensions) {
+    auto const index = static_cast<std::size_t>(d);
+    bool const written = std::any_of(f.writes.begin(), f.writes.end(), [&](ir::Arc const* arc) { return arc->dimension == d; });
+    if (!written || f.merges_on_trial()) continue;
+    out.line("jrule::Dart* const {} = {}.arcs({});", f.arcs[index], f.map, d);
+    if (model.is_oriented(d)) out.line("jrule::Dart* const {} = {}.sources_of_arcs({});", f.arc_sources[index], f.map, d);
+  }
+  for (std::size_t e = 0; e < f.embeddings.size(); ++e) {
+    bool const written = std::any_of(f.plan.orbits.begin(), f.plan.orbits.end(), [&](auto const& c) {
+      return c.embedding == e && (c.kind == Kind::fresh || c.kind == Kind::inherit);
+    });
+    if (written) out.line("jrule::Handle* const {} = {}.handles_of_darts();", f.dart_handles[e], f.embeddings[e]);
+  }
+}
+
+// The map's own columns have moved if darts were added.
+void write_aliases_again(Writer& out, Function const& f) {
+  if (f.form != Form::dense || f.plan.added.empty()) return;
+  for (auto const& [word, name] : f.columns) {
+    if (!f.is_aliased(word)) continue;
+    out.line("{} = {}.{}({}).data();", name, f.map, word.front().conjugate ? "sources" : "targets", word.front().dimension);
+  }
+}
+
+void write_arcs(Writer& out, Function const& f) {
+  for (ir::Arc const* arc : f.writes) {
+    out.line("// {}: {}", place(f.sources, arc->span), arc_text(f.rule, arc->source, arc->dimension, arc->word, arc->target));
+    std::string const source = f.dart(arc->source), target = f.dart(arc->target, arc->word);
+    auto const d = static_cast<std::size_t>(arc->dimension);
+    if (f.merges_on_trial()) {
+      out.line("{} {}.set_target({}, {}, {});", f.loop(), f.local("trial"), source, arc->dimension, target);
+    } else if (!f.rule.model().is_oriented(arc->dimension)) {
+      out.line("{} {}[{}] = {};", f.loop(), f.arcs[d], source, target);
+    } else {
+      out.open("{} {{", f.loop());
+      out.line("jrule::Dart const {} = {}, {} = {};", f.local("at"), source, f.local("to"), target);
+      out.line("{}[{}] = {};", f.arcs[d], f.local("at"), f.local("to"));
+      out.line("{}[{}] = {};", f.arc_sources[d], f.local("to"), f.local("at"));
+      out.close();
+    }
   }
 }
 
@@ -87,14 +126,13 @@ std::string if_first(Function const& f, analysis::OrbitComponent const& componen
 // The handles of one component's darts.
 void write_handles(Writer& out, Function const& f, std::size_t c) {
   auto const& component = f.plan.orbits[c];
-  std::string const& embedding = f.embeddings[component.embedding];
   std::string const handle =
       component.kind == Kind::fresh && !component.clause ? f.handles[c] : fmt::format("{}[{}]", f.handles[c], f.index);
   ir::NodeId const root = component.members.front().node;
   switch (component.kind) {
     case Kind::fresh:
       for (auto const& member : component.members) {
-        out.line("{} {}.set_handle({}, {});", f.loop(), embedding, f.dart(member.node, member.path), handle);
+        out.line("{} {}[{}] = {};", f.loop(), f.dart_handles[component.embedding], f.dart(member.node, member.path), handle);
       }
       return;
     case Kind::inherit:
@@ -102,9 +140,9 @@ void write_handles(Writer& out, Function const& f, std::size_t c) {
         auto const& source = component.sources[i];
         // Matched darts still have their handles; where a walk led from them, it led before the arcs changed.
         std::string const value = source.tail.empty()
-                                      ? fmt::format("{}.handle({})", embedding, f.dart(source.preserved, source.word))
+                                      ? fmt::format("{}[{}]", f.dart_handles[component.embedding], f.dart(source.preserved, source.word))
                                       : fmt::format("{}[{}]", f.inherited[c][i], f.index);
-        out.line("{} {}.set_handle({}, {});", f.loop(), embedding, f.dart(source.added), value);
+        out.line("{} {}[{}] = {};", f.loop(), f.dart_handles[component.embedding], f.dart(source.added), value);
       }
       return;
     case Kind::assign:
@@ -123,11 +161,10 @@ void write_handles(Writer& out, Function const& f, std::size_t c) {
 // What merged orbits get, where functions say it.
 void write_trial(Writer& out, Function const& f) {
   std::string const& trial = f.local("trial");
-  write_arcs(out, f, trial);
+  write_arcs(out, f);
   for (std::size_t e = 0; e < f.embeddings.size(); ++e) {
     if (!f.merges_on_trial(e)) continue;
     out.line("// {}", f.spec(e).name);
-    if (f.adds_values[e]) out.line("{}.commit();", f.new_values[e]);
     out.line("{}.begin_merges({});", trial, e);
     for (auto const kind : {Kind::assign, Kind::merge}) {
       for (auto const& component : f.plan.orbits) {
@@ -140,36 +177,56 @@ void write_trial(Writer& out, Function const& f) {
   out.line("{}.keep();", trial);
 }
 
-void write_embeddings(Writer& out, Function const& f) {
+// Orbits that lie among added darts are written as their new arcs are; others are walked when all arcs are there.
+void write_embeddings(Writer& out, Function const& f, bool walked) {
   std::optional<std::pair<std::size_t, Kind>> group;
   for (std::size_t c = 0; c < f.plan.orbits.size(); ++c) {
     auto const& component = f.plan.orbits[c];
+    if (walked != (component.kind == Kind::assign || component.kind == Kind::merge)) continue;
     bool const new_embedding = !group || group->first != component.embedding;
     bool const new_group = group != std::pair(component.embedding, component.kind);
     group = std::pair(component.embedding, component.kind);
-    if (new_embedding) {
-      out.line("// {}", f.spec(component.embedding).name);
-      if (f.adds_values[component.embedding] && !f.merges_on_trial(component.embedding))
-        out.line("{}.commit();", f.new_values[component.embedding]);
-    }
+    if (new_embedding) out.line("// {}", f.spec(component.embedding).name);
     if (component.kind == Kind::merge && f.merges_on_trial(component.embedding)) {
       if (new_group) out.line("{}.commit_merges({});", f.local("trial"), component.embedding);
       continue;
     }
     // The marks remember which orbits have their value: two components may meet beyond the pattern.
-    if (new_group && (component.kind == Kind::assign || component.kind == Kind::merge))
-      out.line("{}.clear_marks();", f.workspace);
+    if (new_group && walked) out.line("{}.clear_marks();", f.workspace);
     write_handles(out, f, c);
   }
 }
 
-// "return ConeResult{match_a[0], added_b[0], {std::move(match_a), std::move(added_b)}};"
+// Darts that no handle is written to: their embedding is walked.
+void write_missing_handles(Writer& out, Function const& f) {
+  if (f.form != Form::dense || f.plan.added.empty()) return;
+  for (std::size_t e = 0; e < f.embeddings.size(); ++e) {
+    std::vector<ir::NodeId> missing = f.plan.added;
+    for (auto const& component : f.plan.orbits) {
+      if (component.embedding != e) continue;
+      std::erase_if(missing, [&](ir::NodeId id) {
+        if (component.kind == Kind::fresh) {
+          return std::any_of(component.members.begin(), component.members.end(), [&](auto const& m) { return m.node == id; });
+        }
+        return component.kind == Kind::inherit &&
+               std::any_of(component.sources.begin(), component.sources.end(), [&](auto const& s) { return s.added == id; });
+      });
+    }
+    for (ir::NodeId const id : missing) {
+      out.line("{} {}.embedding({}).handles_of_darts()[{}] = jrule::no_handle;", f.loop(), f.map, e, f.dart(id));
+    }
+  }
+}
+
+}  // namespace
+
 void write_result(Writer& out, Function const& f) {
   std::string firsts, copies;
   for (ir::NodeId id = 0; id < f.rule.nodes.size(); ++id) {
     if (f.node(id).deleted()) continue;
     firsts += fmt::format("{}{}[0]", firsts.empty() ? "" : ", ", f.darts[id]);
-    copies += fmt::format("{}std::move({})", copies.empty() ? "" : ", ", f.darts[id]);
+    copies += fmt::format("{}{{{}, {}}}", copies.empty() ? "" : ", ",
+                          f.form == Form::one && !f.node(id).added() && f.node(id).hook ? f.darts[id] + ".data()" : f.darts[id], f.size);
   }
   out.line();
   if (firsts.empty() || f.rule.hooks.empty()) {
@@ -180,33 +237,44 @@ void write_result(Writer& out, Function const& f) {
   }
 }
 
-}  // namespace
-
 void write_commit(Writer& out, Function const& f) {
   bool const changes =
       !f.plan.deleted.empty() || !f.plan.added.empty() || !f.plan.writes.empty() || !f.plan.orbits.empty();
-  if (changes) {
+  if (!changes) return;
+  out.line();
+  out.line("// ---- Room for all of it{} ----", f.merges_on_trial() ? "" : ": the last part that may fail");
+  out.line();
+  write_reserve(out, f);
+  write_additions(out, f);
+  out.line();
+  if (f.merges_on_trial()) {
+    out.line("// ---- Trial: the new arcs, for merging values; if a function throws, all of it is undone ----");
     out.line();
-    out.line("// ---- Room for all of it{} ----", f.merges_on_trial() ? "" : ": the last part that may fail");
+    write_trial(out, f);
     out.line();
-    write_reserve(out, f);
-    out.line();
-    if (f.merges_on_trial()) {
-      out.line("// ---- Trial: the new arcs, for merging values; if a function throws, all of it is undone ----");
-      out.line();
-      write_trial(out, f);
-      out.line();
-    }
-    out.line("// ---- Commit ----");
-    out.line();
-    out.open("auto const {} = [&]() noexcept {{", f.local("commit"));
-    write_deletions(out, f);
-    if (!f.merges_on_trial()) write_arcs(out, f, f.map);
-    write_embeddings(out, f);
-    out.close("};");
-    out.line("{}();", f.local("commit"));
   }
-  write_result(out, f);
+  out.line("// ---- Commit ----");
+  out.line();
+  write_views_of_map(out, f);
+  write_aliases_again(out, f);
+  out.open("auto const {} = [&]() noexcept {{", f.local("commit"));
+  for (std::size_t e = 0; e < f.embeddings.size(); ++e) {
+    if (f.adds_values[e]) out.line("{}.keep();", f.new_values[e]);
+  }
+  if (f.form == Form::dense) {
+    // Before the arcs: columns that are the map's own are still what they were.
+    write_missing_handles(out, f);
+    write_embeddings(out, f, false);
+    write_arcs(out, f);
+    write_deletions(out, f);
+  } else {
+    write_deletions(out, f);
+    if (!f.merges_on_trial()) write_arcs(out, f);
+    write_embeddings(out, f, false);
+  }
+  write_embeddings(out, f, true);
+  out.close("};");
+  out.line("{}();", f.local("commit"));
 }
 
 }  // namespace jrule::cpp

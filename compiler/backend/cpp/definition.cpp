@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "compiler/backend/cpp/expression.h"
 #include "compiler/backend/cpp/function.h"
 #include "compiler/backend/cpp/sections.h"
@@ -40,9 +43,9 @@ void declare_result(Writer& out, Function const& f) {
     out.line("jrule::Dart {} = jrule::no_dart;  ///< {}{}", f.members[id], role(f, node), remark(node.doc));
   }
   if (!members.empty() && !f.rule.hooks.empty()) {
-    out.line("/// The same for every dart of the pattern, in one order for all nodes.");
+    out.line("/// The same for every dart of the pattern, in one order for all nodes. Valid until the next application.");
     out.open("struct Copies {{");
-    out.line("std::vector<jrule::Dart> {};", fmt::join(members, ", "));
+    out.line("std::span<jrule::Dart const> {};", fmt::join(members, ", "));
     out.close("} copies;");
   }
   out.close("};");
@@ -77,11 +80,8 @@ void document(Writer& out, Function const& f, bool hooks) {
   if (hooks) {
     for (std::string const& line : documentation(f.rule.doc)) out.text(line.empty() ? "///" : "/// " + line);
   } else {
-    out.line(
-        "/// Applies `{}` once for each {}-orbit, in the order of their smallest darts; orbits where it is not "
-        "applicable",
-        f.names.function, hook_type(f.rule));
-    out.line("/// stay as they are.");
+    out.line("/// Applies `{}` at each {}-orbit, {}; orbits where it is not applicable stay as they are.", f.names.function,
+             hook_type(f.rule), f.independent ? "all at once" : "one after the other in the order of their smallest darts");
   }
   out.line("///");
   out.line("/// {}", place(f.sources, f.rule.span));
@@ -101,17 +101,18 @@ void document(Writer& out, Function const& f, bool hooks) {
   }
   if (ir::find_extern_use(f.rule)) {
     out.text(hooks ? "/// @throws what C++ from outside throws, and then nothing has changed; running out of memory is returned"
-                   : "/// @throws what C++ from outside throws; what was applied before stays");
+                   : f.independent ? "/// @throws what C++ from outside throws, and then nothing has changed"
+                                       : "/// @throws what C++ from outside throws; what was applied before stays");
   }
   out.text(
       hooks ? "/// @return the darts of the right side; or why the rule is not applicable, and then nothing has changed"
-            : "/// @return how often it was applied; the first refusal if nowhere, and then nothing has changed");
+            : "/// @return the first refusal if it is applicable nowhere, and then nothing has changed");
 }
 
 std::string signature(Function const& f, bool hooks, Defaults defaults, bool mark_unused) {
   return hooks ? fmt::format("jrule::Result<{}> {}({})", f.names.result, f.names.function,
                              parameter_list(f, true, defaults, mark_unused))
-               : fmt::format("jrule::Result<std::size_t> {}({})", f.names.everywhere,
+               : fmt::format("jrule::Result<void> {}({})", f.names.everywhere,
                              parameter_list(f, false, defaults, mark_unused));
 }
 
@@ -124,33 +125,209 @@ void close_function(Writer& out, Function const& f) {
   out.close();
 }
 
+// A function whose text is written last, and that declares what it needs.
+template <class Write>
+void write_body(Writer& out, Function const& f, bool views, Write write) {
+  Writer body(out.depth());
+  write(body);
+  std::vector<Local> locals = map_locals(f);
+  if (views) {
+    for (Local& local : view_locals(f)) locals.push_back(std::move(local));
+  }
+  write_with_locals(out, locals, body.all());
+}
+
+void write_plan_title(Writer& out) {
+  out.line();
+  out.line("// ---- Plan: conditions and new values, read from the map as it is ----");
+  out.line();
+}
+
+bool has_plan(Function const& f) {
+  return !f.rule.lets.empty() || !f.rule.requirements.empty() ||
+         std::any_of(f.adds_values.begin(), f.adds_values.end(), [](bool adds) { return adds; }) || !f.firsts.empty() ||
+         std::any_of(f.plan.orbits.begin(), f.plan.orbits.end(), [](auto const& c) { return !c.sources.empty(); });
+}
+
+bool passes_lets(Function const& f) { return std::find(f.uses_let.begin(), f.uses_let.end(), true) != f.uses_let.end(); }
+
+// "name(a, b)" with what follows, each parameter on a line of its own if they do not fit on one.
+void open_call(Writer& out, std::string const& start, std::vector<std::string> const& list, std::string const& end, bool opens) {
+  std::string const line = fmt::format("{}({}){}", start, fmt::join(list, ", "), end);
+  std::string const text = line.size() <= 110 ? line : fmt::format("{}({}){}", start, fmt::join(list, ",\n        "), end);
+  opens ? out.open("{}", text) : out.line("{}", text);
+}
+
+// What `listed` gets: types and names.
+std::vector<std::pair<std::string, std::string>> listed_parameters(Function const& f) {
+  std::vector<std::pair<std::string, std::string>> list{{f.names.modeler + "&", f.modeler}, {"std::size_t", f.size}};
+  for (ir::NodeId id = 0; id < f.rule.nodes.size(); ++id) {
+    if (!f.node(id).added()) list.emplace_back("jrule::Dart const*", f.darts[id]);
+  }
+  for (auto const& [word, name] : f.columns) list.emplace_back("jrule::rewrite::Index const*", name);
+  list.emplace_back("jrule::rewrite::Index const*", f.local("number"));
+  for (std::size_t l = 0; l < f.rule.lets.size(); ++l) {
+    list.emplace_back(fmt::format("std::vector<{}> const&", stored_type(f.rule.lets[l].value->type)), f.let_lists[l]);
+  }
+  for (std::size_t p = 0; p < f.parameters.size(); ++p) list.emplace_back(parameter_type(f.rule.parameters[p].value_type()), f.parameters[p]);
+  return list;
+}
+
+std::string listed_body(Function const& rule) {
+  Function const f = rule.in(Form::listed);
+  Writer out;
+  out.open("");
+  write_body(out, f, true, [&](Writer& body) {
+    write_values(body, f);
+    write_commit(body, f);
+    write_result(body, f);
+  });
+  return out.all().substr(1);
+}
+
+// Those that its text mentions.
+std::vector<std::pair<std::string, std::string>> needed_parameters(Function const& f) {
+  auto list = listed_parameters(f);
+  std::string const body = listed_body(f);
+  std::erase_if(list, [&](auto const& parameter) { return !mentions(body, parameter.second); });
+  return list;
+}
+
+// Plan and commit of an independent rule, at one orbit of its hook or at all.
+void define_listed(Writer& out, Function const& f) {
+  std::vector<std::string> parameters;
+  for (auto const& [type, name] : needed_parameters(f)) parameters.push_back(type + ' ' + name);
+  out.line("// What `{}` does where it has matched.", f.names.function);
+  open_call(out, fmt::format("static {} {}", f.names.result, f.local("listed")), parameters, " {", true);
+  out.lines(listed_body(f));
+  out.close();
+  out.line();
+}
+
+// "rewrite_cone(surface, n, match_a.data(), at_0, apex)"; in a function for all applications columns are vectors.
+void call_listed(Writer& out, Function const& f, std::string const& start, bool all) {
+  std::vector<std::string> arguments;
+  for (auto const& [type, name] : needed_parameters(f)) {
+    bool const is_hook = name == f.darts[f.rule.hooks[0]];
+    bool const is_column = std::any_of(f.columns.begin(), f.columns.end(), [&, &n = name](auto const& c) { return c.second == n; });
+    bool const is_number = all && name == f.local("number");
+    arguments.push_back(is_number                          ? f.local("all") + ".number.data()"
+                        : is_hook || (all && is_column) ? name + ".data()"
+                                                          : name);
+  }
+  open_call(out, start + f.local("listed"), arguments, ";", false);
+}
+
 void define_application(Writer& out, Function const& f) {
   out.open("{} try {{", signature(f, true, Defaults::without, true));
-  bool const idle = f.rule.hooks.empty() && f.plan.added.empty();  // nothing on either side
-  out.line("{}jrule::Map& {} = {}.map();", idle ? "[[maybe_unused]] " : "", f.map, f.modeler);
-  if (!f.rule.hooks.empty()) out.line("jrule::rewrite::Workspace& {} = {}.workspace();", f.workspace, f.modeler);
-  for (std::size_t e = 0; e < f.embeddings.size(); ++e) {
-    if (f.uses_embedding[e]) out.line("jrule::Embedding& {} = {}.embedding({});", f.embeddings[e], f.map, e);
-  }
-  write_match(out, f);
-  write_values(out, f);
-  write_commit(out, f);
+  write_body(out, f, false, [&](Writer& body) {
+    write_match(body, f);
+    Writer plan(body.depth());
+    write_conditions(plan, f);
+    if (!f.independent) write_values(plan, f);
+    Writer rest(body.depth());
+    if (f.independent) {
+      rest.line();
+      if (passes_lets(f)) {
+        rest.line("jrule::rewrite::Index* const {} = {}.column({});", f.local("number"), f.workspace, f.size);
+        rest.line("{} {}[{}] = 0;", f.loop(), f.local("number"), f.index);
+      }
+      for (std::size_t l = 0; l < f.rule.lets.size(); ++l) {
+        if (!f.uses_let[l]) continue;
+        rest.line("std::vector<{}> const {}{{{}}};", stored_type(f.rule.lets[l].value->type), f.let_lists[l], f.lets[l]);
+      }
+      call_listed(rest, f, "return ", false);
+    } else {
+      write_commit(rest, f);
+      write_result(rest, f);
+    }
+    if (!plan.all().empty()) write_plan_title(body);
+    write_with_locals(body, view_locals(f), plan.all() + rest.all());
+  });
   close_function(out, f);
 }
 
-void define_everywhere(Writer& out, Function const& f) {
+std::vector<std::string> arguments(Function const& f, std::vector<std::string> first) {
+  first.insert(first.end(), f.parameters.begin(), f.parameters.end());
+  return first;
+}
+
+void write_orbit_type(Writer& out, Function const& f) {
   OrbitType type;
   for (Letter const letter : f.rule.hook_type) type.words.push_back({letter});
-  std::vector<std::string> arguments{f.modeler, f.hooks[0]};
-  arguments.insert(arguments.end(), f.parameters.begin(), f.parameters.end());
-  out.open("{} try {{", signature(f, false, Defaults::without, false));
   out.line("static jrule::OrbitType const {} = {};", f.local("orbit"), orbit_expression(type));
-  out.open("return jrule::rewrite::apply_everywhere({}.map(), {}, [&](jrule::Dart {}) -> jrule::Result<void> {{",
-           f.modeler, f.local("orbit"), f.hooks[0]);
-  out.line("auto const {} = {}({});", f.local("applied"), f.names.function, fmt::join(arguments, ", "));
+}
+
+void define_in_turn(Writer& out, Function const& f) {
+  out.open("{} try {{", signature(f, false, Defaults::without, false));
+  write_orbit_type(out, f);
+  out.open("auto const {} = jrule::rewrite::apply_everywhere({}.map(), {}, [&](jrule::Dart {}) -> jrule::Result<void> {{",
+           f.local("kept"), f.modeler, f.local("orbit"), f.hooks[0]);
+  out.line("auto const {} = {}({});", f.local("applied"), f.names.function, fmt::join(arguments(f, {f.modeler, f.hooks[0]}), ", "));
   out.line("if (!{0}) return tl::unexpected({0}.error());", f.local("applied"));
   out.line("return {{}};");
   out.close("});");
+  out.line("if (!{0}) return tl::unexpected({0}.error());", f.local("kept"));
+  out.line("return {{}};");
+  close_function(out, f);
+}
+
+// All darts of a map are rewritten in place, if none is missing among their indices and the rule is applicable everywhere.
+void define_dense(Writer& out, Function const& rule) {
+  Function const f = rule.in(Form::dense);
+  out.line("// `{}` at all darts of a map without erased ones: each dart is its own place in the pattern. False if it is not", f.names.function);
+  out.line("// applicable everywhere, and then nothing has changed.");
+  std::vector<std::string> parameters{fmt::format("{}& {}", f.names.modeler, f.modeler)};
+  for (std::size_t p = 0; p < f.parameters.size(); ++p) {
+    parameters.push_back(fmt::format("{}{} {}", f.uses_parameter[p] ? "" : "[[maybe_unused]] ", parameter_type(f.rule.parameters[p].value_type()), f.parameters[p]));
+  }
+  open_call(out, fmt::format("static bool {}", f.local("dense")), parameters, " {", true);
+  write_body(out, f, false, [&](Writer& body) {
+    Writer rest(body.depth());
+    write_dense_checks(rest, f);
+    Writer plan(body.depth());
+    write_values(plan, f);
+    write_commit(plan, f);
+    plan.line("return true;");
+    if (has_plan(f)) write_plan_title(rest);
+    write_with_locals(rest, view_locals(f), plan.all());
+    std::vector<Local> locals{{f.size, fmt::format("std::size_t const {} = {}.dart_limit();", f.size, f.map)}};
+    for (auto const& [word, name] : f.columns) {
+      if (f.is_aliased(word)) {
+        locals.push_back({name, fmt::format("jrule::rewrite::Index const* {} = {}.{}({}).data();", name, f.map,
+                                            word.front().conjugate ? "sources" : "targets", word.front().dimension)});
+      } else {
+        locals.push_back({name, fmt::format("jrule::rewrite::Index* const {} = {}.column({});", name, f.workspace, f.size)});
+        locals.push_back({name, fmt::format("{} {}[{}] = {};", f.loop(), name, f.index, walk(f.map, f.index, word))});
+      }
+    }
+    body.line("{}.begin();", f.workspace);
+    write_with_locals(body, locals, rest.all());
+  });
+  out.close();
+  out.line();
+}
+
+void define_at_once(Writer& out, Function const& f) {
+  out.open("{} try {{", signature(f, false, Defaults::without, false));
+  write_body(out, f, true, [&](Writer& body) {
+    if (f.can_be_dense()) {
+      body.line("if (!{}.has_erased_darts() && {}({})) return {{}};", f.map, f.local("dense"), fmt::join(arguments(f, {f.modeler}), ", "));
+    }
+    body.line("if ({}.dart_count() == 0) return {{}};", f.map);
+    write_orbit_type(body, f);
+    Writer rest(body.depth());
+    rest.open("if ({}.count() == 0) {{", f.local("all"));
+    rest.line("// Why not: what the first orbit alone says.");
+    rest.line("auto const {} = {}({});", f.local("applied"), f.names.function,
+              fmt::join(arguments(f, {f.modeler, fmt::format("{}.darts().front()", f.map)}), ", "));
+    rest.line("if (!{0}) return tl::unexpected({0}.error());", f.local("applied"));
+    rest.line("return {{}};");
+    rest.close();
+    call_listed(rest, f, "", true);
+    rest.line("return {{}};");
+    write_all_matches(body, f, rest.all());
+  });
   close_function(out, f);
 }
 
@@ -171,10 +348,16 @@ std::string declare(Function const& f) {
 
 std::string define(Function const& f) {
   Writer out;
+  if (f.independent) define_listed(out, f);
   define_application(out, f);
   if (f.names.everywhere.empty()) return out.all();
   out.line();
-  define_everywhere(out, f);
+  if (!f.independent) {
+    define_in_turn(out, f);
+    return out.all();
+  }
+  if (f.can_be_dense()) define_dense(out, f);
+  define_at_once(out, f);
   return out.all();
 }
 

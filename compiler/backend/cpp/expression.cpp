@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -34,8 +35,6 @@ struct Printer {
     return *function;
   }
 
-  std::string orbit_type(OrbitType const& type) const { return type.words.empty() ? "{}" : f().orbit_types.at(type); }
-
   Code print(ir::Expr const& expr) const {
     return std::visit([&](auto const& node) { return print_node(node); }, expr.value);
   }
@@ -44,9 +43,14 @@ struct Printer {
 
   Code print_node(ir::Constant const& c) const { return constant(literal(c.value)); }
   Code print_node(ir::ParameterRef const& p) const { return {f().parameters[p.index]}; }
-  Code print_node(ir::LetRef const& l) const { return {f().lets[l.index]}; }
+  Code print_node(ir::LetRef const& l) const {
+    if (where != Where::in_loop || f().form != Form::listed) return {f().lets[l.index]};
+    std::string const let = fmt::format("{}[{}[{}]]", f().let_lists[l.index], f().local("number"), f().index);
+    // A list of Bool is a list of bytes.
+    return f().rule.lets[l.index].value->type == ir::ExprType{Type::Bool} ? Code{let + " != 0", comparison} : Code{let};
+  }
   Code print_node(ir::NodeDart const& n) const {
-    if (where == Where::in_loop) return {f().dart(n.node)};
+    if (where != Where::at_hooks) return {f().dart(n.node)};
     return {f().node(n.node).hook ? f().hooks[*f().node(n.node).hook] : f().darts[n.node] + "[0]"};
   }
   Code print_node(ir::Bound const& b) const {
@@ -54,24 +58,39 @@ struct Printer {
     return {f().variables.at(b.name)};
   }
   Code print_node(ir::Walk const& w) const { return {walk(f().map, print(*w.from).text, w.path)}; }
-  // The arguments that say which darts: "map, orbit_1_2, orbit_1, a".
+  // The arguments that say which darts: "walk_1_2_by_1, map, a".
   std::string darts(ir::Darts const& d) const {
-    return fmt::format("{}, {}, {}, {}", f().map, orbit_type(d.orbit), orbit_type(d.by), print(*d.at).text);
+    return fmt::format("{}, {}, {}", f().walks.at({d.orbit, d.by}), f().map, print(*d.at).text);
   }
-  Code print_node(ir::Darts const& d) const {
-    return {fmt::format("jrule::rewrite::representatives({})", darts(d))};
-  }
+  Code print_node(ir::Darts const&) const { throw std::logic_error("darts are counted or aggregated"); }
   Code print_node(ir::ValueAt const& v) const {
     return {fmt::format("{}[{}]", f().values[v.embedding], print(*v.at).text)};
   }
   Code print_node(ir::Collect const& c) const {
     return {fmt::format("{}.over({})", f().values[c.embedding], darts(c.over))};
   }
-  Code print_node(ir::ForEach const& e) const {
+  // "walk_1_2_by_1, map, a, [&](jrule::Dart f) { return …; }"
+  std::string each(ir::Darts const& over, std::string const& name, std::string const& element) const {
+    return fmt::format("{}, [&](jrule::Dart{}) {{ return {}; }}", darts(over), name, element);
+  }
+  std::string each(ir::ForEach const& e) const {
     mentioned.erase(e.variable.level);
     std::string const element = print(*e.element).text;
     std::string const name = mentioned.contains(e.variable.level) ? ' ' + f().variables.at(e.variable.name) : "";
-    return {fmt::format("jrule::rewrite::each({}, [&](jrule::Dart{}) {{ return {}; }})", darts(e.over), name, element)};
+    return each(e.over, name, element);
+  }
+  Code print_node(ir::ForEach const& e) const { return {fmt::format("jrule::rewrite::each({})", each(e))}; }
+  // A sum or mean over a walk, added up as the values come; none of other lists.
+  std::optional<Code> total(ir::Apply const& a) const {
+    ir::Expr const& list = *a.arguments[0];
+    if (auto const* e = std::get_if<ir::ForEach>(&list.value)) {
+      return Code{fmt::format("jrule::rewrite::total({}).{}()", each(*e), ir::spelling(a.function))};
+    }
+    auto const* c = std::get_if<ir::Collect>(&list.value);
+    if (!c) return {};
+    std::string const& at = f().local("at");
+    return Code{fmt::format("jrule::rewrite::total({}).{}()",
+                            each(c->over, ' ' + at, fmt::format("{}[{}]", f().values[c->embedding], at)), ir::spelling(a.function))};
   }
   Code print_node(ir::Conditional const& c) const {
     return {fmt::format("{} ? {} : {}", bound(print(*c.condition), disjunction),
@@ -147,10 +166,15 @@ struct Printer {
       case Builtin::floor:
       case Builtin::ceil: return call(fmt::format("std::{}", ir::spelling(a.function)), a);
       case Builtin::count:
+        if (auto const* over = std::get_if<ir::Darts>(&a.arguments[0]->value)) return {fmt::format("jrule::rewrite::count({})", darts(*over))};
         return {fmt::format("static_cast<std::int64_t>({}.size())", bound(print(*a.arguments[0]), primary))};
       case Builtin::first: return first(a);
       case Builtin::all:
       case Builtin::any: return call(fmt::format("jrule::rewrite::{}", ir::spelling(a.function)), a);
+      case Builtin::mean:
+      case Builtin::sum:
+        if (auto code = total(a)) return *code;
+        break;
       case Builtin::dot:
       case Builtin::cross:
       case Builtin::norm:
@@ -167,8 +191,6 @@ struct Printer {
       case Builtin::pow:
       case Builtin::exp:
       case Builtin::log:
-      case Builtin::mean:
-      case Builtin::sum:
       case Builtin::min:
       case Builtin::max: break;
     }

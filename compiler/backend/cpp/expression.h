@@ -8,8 +8,9 @@
 
 namespace jrule::cpp {
 
-/// Where an expression is evaluated: at the hooks, or at the pattern dart of the surrounding loop's index.
-enum class Where { at_hooks, in_loop };
+/// Where an expression is evaluated: at the hooks; at the pattern dart of the surrounding loop's index; at that dart, which is
+/// the hook's of one of several applications.
+enum class Where { at_hooks, in_loop, at_each_hook };
 
 /// The expression, fit to stand as an argument or behind `=` or `return`.
 std::string expression(ir::Expr const& expr, Function const& f, Where where);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "compiler/analysis/independence.h"
 #include "compiler/backend/cpp/text.h"
 
 namespace jrule::cpp {
@@ -27,6 +28,7 @@ Function::Function(Rule const& accepted, source::Sources const& files, PublicNam
       plan(*accepted.plan),
       sources(files),
       names(std::move(public_names)),
+      independent(rule.hooks.size() == 1 && analysis::analyze_independence(rule, plan).independent()),
       scope(std::move(taken)) {
   // First what the caller sees: it keeps its names, the rest gives way.
   for (ir::NodeId const hook : rule.hooks) hooks.push_back(scope.take(node(hook).name));
@@ -37,9 +39,20 @@ Function::Function(Rule const& accepted, source::Sources const& files, PublicNam
   size = scope.take("n");
   index = scope.take("k");
   for (char const* name :
-       {"at", "to", "expected", "u", "added", "generators", "matches", "twice", "commit", "orbit", "applied", "trial"})
+       {"at", "to", "expected", "u", "added", "matches", "twice", "commit", "orbit", "applied", "trial", "all", "refused", "number",
+        "i", "kept"})
     locals[name] = scope.take(name);
-  for (ir::Let const& let : rule.lets) lets.push_back(scope.take(let.name));
+  locals["listed"] = scope.take("rewrite_" + names.function);
+  locals["dense"] = scope.take("rewrite_all_" + names.function);
+  for (ir::Let const& let : rule.lets) {
+    lets.push_back(scope.take(let.name));
+    let_lists.push_back(scope.take("all_" + let.name));
+  }
+  for (int d = 0; d <= rule.model().dimensions.back(); ++d) {
+    arcs.push_back(scope.take(fmt::format("arcs_{}", d)));
+    arc_sources.push_back(scope.take(fmt::format("sources_{}", d)));
+  }
+  for (ir::Arc const& arc : plan.writes) writes.push_back(&arc);
 
   for (ir::NodeId const hook : rule.hooks) hook_loops.push_back(scope.take("loops_" + node(hook).name));
 
@@ -66,6 +79,7 @@ void Function::name_values() {
     embeddings.push_back(scope.take(e.name));
     values.push_back(scope.take(e.name + "_of"));
     new_values.push_back(scope.take("new_" + e.name));
+    dart_handles.push_back(scope.take(e.name + "_handles"));
   }
   for (auto const& component : plan.orbits) {
     std::string const& embedding = spec(component.embedding).name;
@@ -90,31 +104,30 @@ void Function::name_values() {
   for (ir::Requirement const& requirement : rule.requirements) use(*requirement.condition);
 }
 
-void Function::use_orbit_type(OrbitType const& type) {
-  if (type.words.empty() || orbit_types.contains(type)) return;
-  std::string name = "orbit";
-  for (Word const& word : type.words) name += "_" + name_part(word);
-  orbit_types[type] = scope.take(name);
+void Function::use_walk(ir::Darts const& over) {
+  std::pair const key(over.orbit, over.by);
+  if (walks.contains(key)) return;
+  std::string name = "walk";
+  for (Word const& word : over.orbit.words) name += "_" + name_part(word);
+  if (!over.by.words.empty()) name += "_by";
+  for (Word const& word : over.by.words) name += "_" + name_part(word);
+  walks[key] = scope.take(name);
 }
 
 void Function::use(ir::Expr const& expr) {
   auto const read = [&](std::size_t embedding) { reads_embedding[embedding] = uses_embedding[embedding] = true; };
-  auto const over = [&](ir::Darts const& list) {
-    use_orbit_type(list.orbit);
-    use_orbit_type(list.by);
-  };
   if (auto const* p = std::get_if<ir::ParameterRef>(&expr.value)) uses_parameter[p->index] = true;
   if (auto const* l = std::get_if<ir::LetRef>(&expr.value)) uses_let[l->index] = true;
-  if (auto const* d = std::get_if<ir::Darts>(&expr.value)) over(*d);
+  if (auto const* d = std::get_if<ir::Darts>(&expr.value)) use_walk(*d);
   if (auto const* v = std::get_if<ir::ValueAt>(&expr.value)) read(v->embedding);
   if (auto const* c = std::get_if<ir::Collect>(&expr.value)) {
     read(c->embedding);
-    over(c->over);
+    use_walk(c->over);
   }
   if (auto const* e = std::get_if<ir::ForEach>(&expr.value)) {
     std::string const& name = e->variable.name;
     if (!variables.contains(name)) variables[name] = scope.take(name);
-    over(e->over);
+    use_walk(e->over);
   }
   for (ir::ExprPtr const& part : ir::parts(expr)) use(*part);
 }
@@ -142,7 +155,10 @@ std::string Function::at(Word const& word) const {
   return word.empty() ? index : fmt::format("{}[{}]", columns.at(word), index);
 }
 
-std::string Function::dart(ir::NodeId id, Word const& word) const { return fmt::format("{}[{}]", darts[id], at(word)); }
+std::string Function::dart(ir::NodeId id, Word const& word) const {
+  if (form != Form::dense) return fmt::format("{}[{}]", darts[id], at(word));
+  return node(id).added() ? fmt::format("{} + {}", darts[id], at(word)) : at(word);
+}
 
 std::string Function::first(analysis::OrbitComponent const& component) const {
   auto const found = firsts.find(visited_orbits(component));
@@ -162,6 +178,62 @@ bool Function::merges_on_trial() const {
   return false;
 }
 
-std::string Function::loop() const { return fmt::format("for (std::size_t {0} = 0; {0} < {1}; ++{0})", index, size); }
+std::string Function::loop() const {
+  return fmt::format("for ({0} {1} = 0; {1} < {2}; ++{1})", form == Form::dense ? "jrule::Dart" : "std::size_t", index, size);
+}
+
+bool Function::can_be_dense() const {
+  return independent && plan.steps.empty() && !plan.test_injectivity && rule.lets.empty() && rule.requirements.empty() &&
+         !merges_on_trial();
+}
+
+Function Function::in(Form other) const {
+  Function f = *this;
+  f.form = other;
+  if (other == Form::dense) f.order_writes();
+  return f;
+}
+
+// Dense columns of one letter are the map's own, which the new arcs overwrite: each is written when nothing reads it any more.
+// Where arcs wait for each other in a circle, a column is copied.
+void Function::order_writes() {
+  Model const& model = rule.model();
+  using ColumnOfMap = std::pair<int, bool>;  // dimension; sources?
+  auto const key = [&](int d, bool backwards) { return ColumnOfMap(d, backwards && model.is_oriented(d)); };
+  auto const reads = [&](ir::Arc const& arc, ColumnOfMap const& column) {
+    return is_aliased(arc.word) && key(arc.word.front().dimension, arc.word.front().conjugate) == column;
+  };
+  auto const overwrites = [&](ir::Arc const& arc) {
+    std::vector<ColumnOfMap> all;
+    if (!node(arc.source).added()) all.push_back(key(arc.dimension, false));
+    if (!node(arc.target).added() && model.is_oriented(arc.dimension)) all.push_back(key(arc.dimension, true));
+    return all;
+  };
+  // An arc reads and writes the targets at one index, but its sources at another one.
+  for (ir::Arc const* arc : writes) {
+    for (ColumnOfMap const& column : overwrites(*arc)) {
+      if (column.second && reads(*arc, column)) copied.insert(arc->word);
+    }
+  }
+  std::vector<ir::Arc const*> waiting = std::exchange(writes, {});
+  while (!waiting.empty()) {
+    auto const has_to_wait = [&](ir::Arc const* arc) {
+      for (ColumnOfMap const& column : overwrites(*arc)) {
+        for (ir::Arc const* other : waiting) {
+          if (other != arc && reads(*other, column)) return true;
+        }
+      }
+      return false;
+    };
+    auto const free = std::find_if(waiting.begin(), waiting.end(), [&](ir::Arc const* arc) { return !has_to_wait(arc); });
+    if (free != waiting.end()) {
+      writes.push_back(*free);
+      waiting.erase(free);
+    } else {
+      auto const reader = std::find_if(waiting.begin(), waiting.end(), [&](ir::Arc const* arc) { return is_aliased(arc->word); });
+      copied.insert((*reader)->word);
+    }
+  }
+}
 
 }  // namespace jrule::cpp

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "compiler/analysis/plan.h"
@@ -20,11 +22,20 @@ struct PublicNames {
   std::string class_name;  ///< the same without its namespace
 };
 
+/// How the darts of the pattern are held.
+enum class Form {
+  one,     ///< in columns, in the function that has matched them
+  listed,  ///< in columns, as parameters of a function: of one application or of all
+  dense,   ///< they are all darts of the map, each its own index
+};
+
 struct Function {
   ir::RuleScheme const& rule;
   analysis::Plan const& plan;
   source::Sources const& sources;
   PublicNames names;
+  bool independent;  ///< may all orbits of the hook be rewritten at once?
+  Form form = Form::one;
 
   // Parameters.
   std::string modeler;             ///< "surface"
@@ -32,12 +43,16 @@ struct Function {
   std::vector<std::string> parameters;
   // Local variables.
   std::string map, workspace, size, index;                 ///< "map", "workspace", "n", "k"
-  std::vector<std::string> darts;                          ///< by node: the vector of its copies
+  std::vector<std::string> darts;                          ///< by node: its copies; of an added one, if dense, the first
   std::map<std::string, std::string, std::less<>> locals;  ///< further ones, by what they hold: "expected"
   std::map<Word, std::string> columns;                     ///< of the words that are used, without ε
-  std::vector<std::string> lets;
+  std::set<Word> copied;                                   ///< if dense: those that are written before they are read
+  std::vector<ir::Arc const*> writes;                      ///< those of the plan, in the order in which they are made
+  std::vector<std::string> arcs, arc_sources;              ///< by dimension: the map's columns
+  std::vector<std::string> lets, let_lists;                ///< of one application, of all
   std::vector<std::string> embeddings, values, new_values;
-  std::map<OrbitType, std::string> orbit_types;     ///< those that expressions range over
+  std::vector<std::string> dart_handles;            ///< by embedding: the map's column
+  std::map<std::pair<OrbitType, OrbitType>, std::string> walks;  ///< that expressions range over, with their `by`
   std::map<std::string, std::string> variables;     ///< of comprehensions; those of one name are never within each other
   std::vector<std::string> hook_loops;              ///< by hook
   std::map<std::vector<Word>, std::string> firsts;  ///< by generators: by pattern dart, the first one of its orbit
@@ -56,7 +71,7 @@ struct Function {
   ir::Node const& node(ir::NodeId id) const { return rule.nodes[id]; }
   EmbeddingSpec const& spec(std::size_t e) const { return rule.modeler->embeddings[e]; }
   std::string const& local(std::string_view name) const { return locals.find(name)->second; }
-  /// "match_a[k]", "match_a[at_2[k]]".
+  /// "match_a[k]", "match_a[at_2[k]]"; if dense, "k", "added_b + at_2[k]".
   std::string dart(ir::NodeId id, Word const& word = {}) const;
   /// The index of u_k·word: "k", "at_2[k]".
   std::string at(Word const& word) const;
@@ -67,10 +82,17 @@ struct Function {
   bool merges_on_trial() const;
   /// "for (std::size_t k = 0; k < n; ++k)".
   std::string loop() const;
+  /// Is the word's column the map's own?
+  bool is_aliased(Word const& word) const { return form == Form::dense && word.size() == 1 && !copied.contains(word); }
+  /// Can all darts of a map be rewritten at once, without columns of their own?
+  bool can_be_dense() const;
+  /// The same function in another form.
+  Function in(Form other) const;
 
  private:
   void use(ir::Expr const& expr);
-  void use_orbit_type(OrbitType const& type);
+  void use_walk(ir::Darts const& over);
+  void order_writes();
   void name_columns();
   void name_values();
 };

@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
+#include "compiler/backend/cpp/expression.h"
 #include "compiler/backend/cpp/sections.h"
 #include "compiler/backend/cpp/text.h"
 
@@ -12,37 +15,50 @@ std::string refuse(std::string const& error) {
   return fmt::format("return tl::unexpected(jrule::rewrite::{});", error);
 }
 
+bool is_involution(Model const& model, Word const& word) {
+  return word.size() == 1 && !model.is_oriented(word.front().dimension);
+}
+
 void write_pattern(Writer& out, Function const& f) {
   for (std::size_t h = 0; h < f.hooks.size(); ++h) {
     out.line("if (!{}.contains({})) {}", f.map, f.hooks[h],
              refuse(fmt::format("not_a_dart({}, {}, {})", literal(f.rule.name), literal(f.node(f.rule.hooks[h]).name),
                                 f.hooks[h])));
   }
-  std::string generators = "{}";
+  out.line("{}.begin();", f.workspace);
+  out.line("{}.reserve({}.dart_limit());", f.workspace, f.map);
+  out.line("{}.clear_marks();", f.workspace);
+  out.line("{}.meet({});", f.workspace, f.hooks[0]);
   if (!f.plan.generators.empty()) {
-    generators = f.local("generators");
-    std::vector<std::string> words;
-    for (Word const& word : f.plan.generators) words.push_back(initializer(word));
-    out.line("static jrule::Word const {}[] = {{{}}};", generators, fmt::join(words, ", "));
+    out.open("for (std::size_t {0} = 0; {0} < {1}.pattern().size(); ++{0}) {{", f.index, f.workspace);
+    out.line("jrule::Dart const {} = {}.pattern()[{}];", f.local("u"), f.workspace, f.index);
+    for (Word const& word : f.plan.generators) {
+      out.line("{}.meet({});", f.workspace, walk(f.map, f.local("u"), word));
+      if (is_involution(f.rule.model(), word)) continue;
+      Word conjugate(word.rbegin(), word.rend());
+      for (Letter& letter : conjugate) letter.conjugate = f.rule.model().is_oriented(letter.dimension) && !letter.conjugate;
+      out.line("{}.meet({});", f.workspace, walk(f.map, f.local("u"), conjugate));
+    }
+    out.close();
   }
-  std::string const& pattern = f.darts[f.rule.hooks[0]];
-  out.line("std::vector<jrule::Dart> {} = jrule::rewrite::close_pattern({}, {}, {}, {});", pattern, f.map, f.hooks[0],
-           generators, f.workspace);
+  out.line("std::span<jrule::Dart const> const {} = {}.pattern();", f.darts[f.rule.hooks[0]], f.workspace);
   // A rule that only tests need not know it.
-  bool const alone = f.columns.empty() && f.plan.further_hooks.empty() && f.plan.steps.empty() &&
+  bool const alone = !f.independent && f.columns.empty() && f.plan.further_hooks.empty() && f.plan.steps.empty() &&
                      f.plan.checks.empty() && f.plan.added.empty() && f.plan.deleted.empty() && f.plan.writes.empty() &&
                      f.plan.orbits.empty();
-  if (!alone) out.line("std::size_t const {} = {}.size();", f.size, pattern);
+  if (!alone) out.line("std::size_t const {} = {}.size();", f.size, f.darts[f.rule.hooks[0]]);
+}
+
+void explain_columns(Writer& out, Function const& f) {
+  out.line();
+  out.line("// {}[{}] is the place in the pattern of the dart where the word {} leads from its {}-th dart; and so on.",
+           f.columns.begin()->second, f.index, jrule::to_string(f.columns.begin()->first), f.index);
 }
 
 void write_columns(Writer& out, Function const& f) {
   if (f.columns.empty()) return;
-  out.line();
-  out.line("// {}[{}] is the place in the pattern of the dart where the word {} leads from its {}-th dart; and so on.",
-           f.columns.begin()->second, f.index, jrule::to_string(f.columns.begin()->first), f.index);
-  std::vector<std::string> columns;
-  for (auto const& [word, name] : f.columns) columns.push_back(fmt::format("{}({})", name, f.size));
-  out.line("jrule::rewrite::Column {};", fmt::join(columns, ", "));
+  explain_columns(out, f);
+  for (auto const& [word, name] : f.columns) out.line("jrule::rewrite::Index* const {} = {}.column({});", name, f.workspace, f.size);
   out.open("{} {{", f.loop());
   out.line("jrule::Dart const {} = {};", f.local("u"), f.dart(f.rule.hooks[0]));
   for (auto const& [word, name] : f.columns) {
@@ -60,11 +76,11 @@ void write_further_hooks(Writer& out, Function const& f) {
              f.node(f.rule.hooks[0]).name);
     std::vector<std::string> loops;
     for (auto const& loop : hook.loops)
-      loops.push_back(fmt::format("{{&{}, {}}}", f.columns.at(loop.word), loop.dimension));
+      loops.push_back(fmt::format("{{{}, {}}}", f.columns.at(loop.word), loop.dimension));
     std::string const name = loops.empty() ? "{}" : f.hook_loops[*node.hook];
     if (!loops.empty()) out.line("jrule::rewrite::Loop const {}[] = {{{}}};", name, fmt::join(loops, ", "));
-    out.line("std::vector<jrule::Dart> {} = jrule::rewrite::walk_in_step({}, {}, {}, {});", f.darts[hook.node], f.map,
-             dart, f.size, name);
+    out.line("std::span<jrule::Dart const> const {} = jrule::rewrite::walk_in_step({}, {}, {}, {}, {});", f.darts[hook.node], f.map,
+             dart, f.size, name, f.workspace);
     out.line("if ({}.empty()) {}", f.darts[hook.node],
              refuse(fmt::format("hook_not_determined({}, {})", literal(f.rule.name), literal(node.name))));
   }
@@ -75,12 +91,14 @@ void write_steps(Writer& out, Function const& f) {
     ir::Node const& node = f.node(s.node);
     out.line();
     out.line("// {}: {}", place(f.sources, node.span()), node.name);
-    out.line("std::vector<jrule::Dart> {}({});", f.darts[s.node], f.size);
+    out.line("jrule::Dart* const {} = {}.column({});", f.darts[s.node], f.workspace, f.size);
     out.line("{} {} = {};", f.loop(), f.dart(s.node), step(f.map, f.dart(s.from, s.word), s.letter));
   }
 }
 
-void write_checks(Writer& out, Function const& f) {
+// Tests each arc of the left side that not every map has; where it is another one, `refuse` follows.
+template <class Refuse>
+void write_checks(Writer& out, Function const& f, Refuse refuse) {
   for (auto const& check : f.plan.checks) {
     std::string const &at = f.local("at"), &to = f.local("to"), &expected = f.local("expected");
     out.line();
@@ -89,10 +107,7 @@ void write_checks(Writer& out, Function const& f) {
     out.open("{} {{", f.loop());
     out.line("jrule::Dart const {0} = {1}, {2} = {4}.target({0}, {5}), {3} = {6};", at, f.dart(check.source), to,
              expected, f.map, check.dimension, f.dart(check.target, check.word));
-    out.line("if ({} != {}) {}", to, expected,
-             refuse(fmt::format("arc_differs({}, {}, {}, {}, {}, {}, {})", literal(f.rule.name),
-                                literal(f.node(check.source).name), check.dimension, literal(f.node(check.target).name),
-                                at, to, expected)));
+    out.line("if ({} != {}) {}", to, expected, refuse(check));
     out.close();
   }
 }
@@ -101,17 +116,105 @@ void write_injectivity(Writer& out, Function const& f) {
   if (!f.plan.test_injectivity) return;
   std::vector<std::string> matches;
   for (ir::NodeId id = 0; id < f.rule.nodes.size(); ++id) {
-    if (!f.node(id).added()) matches.push_back('&' + f.darts[id]);
+    if (f.node(id).added()) continue;
+    bool const is_column = std::any_of(f.plan.steps.begin(), f.plan.steps.end(), [&](auto const& s) { return s.node == id; });
+    matches.push_back(is_column ? fmt::format("{{{}, {}}}", f.darts[id], f.size) : f.darts[id]);
   }
   out.line();
-  out.line("std::vector<jrule::Dart> const* const {}[] = {{{}}};", f.local("matches"), fmt::join(matches, ", "));
+  out.line("std::span<jrule::Dart const> const {}[] = {{{}}};", f.local("matches"), fmt::join(matches, ", "));
   out.open("if (auto const {} = jrule::rewrite::matched_twice({}, {})) {{", f.local("twice"), f.local("matches"),
            f.workspace);
   out.text(refuse(fmt::format("matched_twice_error({}, *{})", literal(f.rule.name), f.local("twice"))));
   out.close();
 }
 
+// ---- All applications ----
+
+// The columns of these words, over the union of the patterns; then what they are for, `text`.
+void write_with_all_columns(Writer& out, Function const& f, std::map<Word, std::string> const& columns, std::string const& text) {
+  std::string const& all = f.local("all");
+  std::string const& hook = f.darts[f.rule.hooks[0]];
+  out.line("{}.begin();", f.workspace);
+  out.line("jrule::rewrite::mark_pattern({}, {}.pattern, {});", f.map, all, f.workspace);
+  std::vector<Local> locals{{hook, fmt::format("std::span<jrule::Dart const> const {} = {}.pattern;", hook, all)},
+                            {f.size, fmt::format("std::size_t const {} = {}.size();", f.size, hook)}};
+  for (auto const& [word, name] : columns) {
+    locals.push_back({name, fmt::format("jrule::rewrite::Column const {} = jrule::rewrite::bulk_column({}, {}.pattern, jrule::Word{}, {});",
+                                        name, f.map, all, initializer(word), f.workspace)});
+  }
+  write_with_locals(out, locals, text);
+}
+
+bool can_refuse(Function const& f) {
+  return !f.plan.checks.empty() || f.plan.test_injectivity || !f.rule.requirements.empty() || !f.rule.lets.empty();
+}
+
+// Of each application that is not refused yet, its lets; the requirements.
+void write_all_conditions(Writer& out, Function const& f) {
+  if (f.rule.lets.empty() && f.rule.requirements.empty()) return;
+  std::string const &all = f.local("all"), &refused = f.local("refused"), &i = f.local("i");
+  out.line();
+  out.open("for (std::size_t {0} = 0; {0} < {1}.count(); ++{0}) {{", i, all);
+  out.line("if ({}[{}]) continue;", refused, i);
+  out.line("[[maybe_unused]] std::size_t const {} = {}.first[{}];", f.index, all, i);
+  for (std::size_t l = 0; l < f.rule.lets.size(); ++l) {
+    ir::Expr const& value = *f.rule.lets[l].value;
+    out.line("// {}", place(f.sources, value.span));
+    out.line("[[maybe_unused]] {} const {} = {};", type_name(value.type), f.lets[l], expression(value, f, Where::at_each_hook));
+  }
+  for (ir::Requirement const& requirement : f.rule.requirements) {
+    out.line("// {}", place(f.sources, requirement.condition->span));
+    out.open("if (!({})) {{", expression(*requirement.condition, f, Where::at_each_hook));
+    out.line("{}[{}] = true;", refused, i);
+    out.line("continue;");
+    out.close();
+  }
+  for (std::size_t l = 0; l < f.rule.lets.size(); ++l) {
+    if (f.uses_let[l]) out.line("{}.push_back({});", f.let_lists[l], f.lets[l]);
+  }
+  out.close();
+}
+
+void write_refusals(Writer& out, Function const& f) {
+  std::string const &all = f.local("all"), &refused = f.local("refused");
+  for (std::size_t l = 0; l < f.rule.lets.size(); ++l) {
+    if (f.uses_let[l]) out.line("std::vector<{}> {};", stored_type(f.rule.lets[l].value->type), f.let_lists[l]);
+  }
+  out.line("std::vector<bool> {}({}.count(), false);", refused, all);
+  out.open("{{");
+  Writer tests(out.depth());
+  write_steps(tests, f);
+  write_checks(tests, f, [&](auto const&) { return fmt::format("{}[{}.number[{}]] = true;", refused, all, f.index); });
+  if (f.plan.test_injectivity) {
+    std::vector<std::string> matches;
+    for (ir::NodeId id = 0; id < f.rule.nodes.size(); ++id) {
+      if (f.node(id).added()) continue;
+      matches.push_back(id == f.rule.hooks[0] ? f.darts[id] : fmt::format("{{{}, {}}}", f.darts[id], f.size));
+    }
+    tests.line();
+    tests.line("std::span<jrule::Dart const> const {}[] = {{{}}};", f.local("matches"), fmt::join(matches, ", "));
+    tests.line("jrule::rewrite::refuse_matched_twice({}, {}, {}, {});", all, f.local("matches"), f.workspace, refused);
+  }
+  write_all_conditions(tests, f);
+  write_with_all_columns(out, f, f.columns, tests.all());
+  out.close();
+  out.line("{0} = jrule::rewrite::without({0}, {1});", all, refused);
+}
+
 }  // namespace
+
+void write_all_matches(Writer& out, Function const& f, std::string const& text) {
+  std::string const& all = f.local("all");
+  out.line("jrule::rewrite::Applications {} = jrule::rewrite::all_applications({}, {});", all, f.map, f.local("orbit"));
+  if (can_refuse(f)) write_refusals(out, f);
+  Writer steps(out.depth());
+  write_steps(steps, f);
+  write_with_all_columns(out, f, f.columns, steps.all() + text);
+}
+
+void write_dense_checks(Writer& out, Function const& f) {
+  write_checks(out, f, [](auto const&) { return "return false;"; });
+}
 
 void write_match(Writer& out, Function const& f) {
   if (f.rule.hooks.empty()) {
@@ -125,7 +228,10 @@ void write_match(Writer& out, Function const& f) {
   write_columns(out, f);
   write_further_hooks(out, f);
   write_steps(out, f);
-  write_checks(out, f);
+  write_checks(out, f, [&](analysis::MatchCheck const& check) {
+    return refuse(fmt::format("arc_differs({}, {}, {}, {}, {}, {}, {})", literal(f.rule.name), literal(f.node(check.source).name),
+                              check.dimension, literal(f.node(check.target).name), f.local("at"), f.local("to"), f.local("expected")));
+  });
   write_injectivity(out, f);
 }
 

@@ -32,6 +32,10 @@ std::string type_name(ir::ExprType const& type) {
   return fmt::format("std::vector<{}>", type == ir::ExprType{Type::Bool, true} ? "std::uint8_t" : element);
 }
 
+std::string stored_type(ir::ExprType const& type) {
+  return type == ir::ExprType{Type::Bool} ? "std::uint8_t" : type_name(type);
+}
+
 std::string parameter_type(ir::ExprType const& type) {
   return type_name(type) + (type.list || type.external ? " const&" : "");
 }

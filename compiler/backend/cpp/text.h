@@ -14,6 +14,8 @@ namespace jrule::cpp {
 std::string type_name(Type type);
 /// The same, "::geo::Soil" for an extern type, and "std::vector<double>" for a list.
 std::string type_name(ir::ExprType const& type);
+/// As an element of a std::vector that gives references: "std::uint8_t" for a Bool.
+std::string stored_type(ir::ExprType const& type);
 /// As a parameter: an extern type and a list are passed as references to constants.
 std::string parameter_type(ir::ExprType const& type);
 /// A C++ expression of that type: "0.5", "std::int64_t{3}", "jrule::Point3{0.0, 1.0, 0.0}".

@@ -11,19 +11,6 @@ namespace jrule::cpp {
 
 using Kind = analysis::OrbitComponent::Kind;
 
-namespace {
-
-void write_views(Writer& out, Function const& f) {
-  for (auto const& [type, name] : f.orbit_types) {
-    out.line("static jrule::OrbitType const {} = {};", name, orbit_expression(type));
-  }
-  for (std::size_t e = 0; e < f.embeddings.size(); ++e) {
-    std::string const type = type_name(f.rule.modeler->value_type(e));
-    if (f.reads_embedding[e]) out.line("jrule::rewrite::Values<{}> const {}({});", type, f.values[e], f.embeddings[e]);
-    if (f.adds_values[e]) out.line("jrule::rewrite::NewValues<{}> {}({});", type, f.new_values[e], f.embeddings[e]);
-  }
-}
-
 void write_conditions(Writer& out, Function const& f) {
   for (std::size_t i = 0; i < f.rule.lets.size(); ++i) {
     ir::Expr const& value = *f.rule.lets[i].value;
@@ -44,6 +31,15 @@ void write_conditions(Writer& out, Function const& f) {
   }
 }
 
+namespace {
+
+void write_new_values(Writer& out, Function const& f) {
+  for (std::size_t e = 0; e < f.embeddings.size(); ++e) {
+    if (!f.adds_values[e]) continue;
+    out.line("jrule::rewrite::NewValues<{}> {}({});", type_name(f.rule.modeler->value_type(e)), f.new_values[e], f.embeddings[e]);
+  }
+}
+
 // first_w[k]: the first dart of the pattern in the orbit of its k-th one under some words.
 void write_orbits(Writer& out, Function const& f) {
   if (f.firsts.empty()) return;
@@ -53,10 +49,14 @@ void write_orbits(Writer& out, Function const& f) {
            jrule::to_string(OrbitType{words}), f.index, f.firsts.size() > 1 ? "; and so on" : "");
   for (auto const& [generators, first] : f.firsts) {
     std::vector<std::string> columns;
-    for (Word const& word : generators) columns.push_back('&' + f.columns.at(word));
+    for (Word const& word : generators) columns.push_back(f.columns.at(word));
+    bool const involutions = generators.size() == 2 && std::all_of(generators.begin(), generators.end(), [&](Word const& word) {
+      return word.size() == 1 && !f.rule.model().is_oriented(word.front().dimension);
+    });
     std::string const& by = f.local(first + "_by");
-    out.line("jrule::rewrite::Column const* const {}[] = {{{}}};", by, fmt::join(columns, ", "));
-    out.line("jrule::rewrite::Column const {} = jrule::rewrite::pattern_orbits({}, {});", first, f.size, by);
+    out.line("jrule::rewrite::Index const* const {}[] = {{{}}};", by, fmt::join(columns, ", "));
+    out.line("jrule::rewrite::Index const* const {} = jrule::rewrite::pattern_orbits({}, {}, {}, {});", first, f.size, by, involutions,
+             f.workspace);
   }
 }
 
@@ -66,7 +66,7 @@ void write_clause(Writer& out, Function const& f, std::size_t c) {
   std::string const &handle = f.handles[c], first = f.first(component);
   std::string const add = fmt::format("{}.add({})", f.new_values[component.embedding],
                                       expression(*f.rule.clauses[*component.clause].value, f, Where::in_loop));
-  out.line("std::vector<jrule::Handle> {}({});", handle, f.size);
+  out.line("jrule::Handle* const {} = {}.column({});", handle, f.workspace, f.size);
   out.open("{} {{", f.loop());
   if (first.empty()) {
     out.line("{}[{}] = {};", handle, f.index, add);
@@ -88,7 +88,7 @@ void write_inherited(Writer& out, Function const& f, std::size_t c) {
   for (std::size_t i = 0; i < component.sources.size(); ++i) {
     auto const& source = component.sources[i];
     if (source.tail.empty()) continue;
-    out.line("std::vector<jrule::Handle> {}({});", f.inherited[c][i], f.size);
+    out.line("jrule::Handle* const {} = {}.column({});", f.inherited[c][i], f.workspace, f.size);
     out.line("{} {}[{}] = {}.handle({});", f.loop(), f.inherited[c][i], f.index, f.embeddings[component.embedding],
              walk(f.map, f.dart(source.preserved, source.word), source.tail));
   }
@@ -137,14 +137,7 @@ void write_component(Writer& out, Function const& f, std::size_t c) {
 }  // namespace
 
 void write_values(Writer& out, Function const& f) {
-  bool any = !f.rule.lets.empty() || !f.rule.requirements.empty();
-  for (auto const& component : f.plan.orbits) any = any || is_planned(component) || !f.first(component).empty();
-  if (!any) return;
-  out.line();
-  out.line("// ---- Plan: conditions and new values, read from the map as it is ----");
-  out.line();
-  write_views(out, f);
-  write_conditions(out, f);
+  write_new_values(out, f);
   write_orbits(out, f);
   for (std::size_t c = 0; c < f.plan.orbits.size(); ++c) {
     if (is_planned(f.plan.orbits[c])) write_component(out, f, c);

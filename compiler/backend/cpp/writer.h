@@ -11,6 +11,10 @@ namespace jrule::cpp {
 
 class Writer {
  public:
+  Writer() = default;
+  /// Begins inside as many blocks.
+  explicit Writer(std::size_t depth) : depth_(depth) {}
+  std::size_t depth() const { return depth_; }
   void line() { text_ += '\n'; }
   template <class... Args>
   void line(fmt::format_string<Args...> format, Args&&... args) {

@@ -87,9 +87,10 @@ struct Application {
     match[rule.hooks[0]] = pattern;
     for (std::size_t h = 1; h < hooks.size(); ++h) {
       std::vector<rewrite::Loop> loops;
-      for (auto const& loop : plan.further_hooks[h - 1].loops) loops.push_back({&column(loop.word), loop.dimension});
+      for (auto const& loop : plan.further_hooks[h - 1].loops) loops.push_back({column(loop.word).data(), loop.dimension});
       ir::NodeId const node = rule.hooks[h];
-      match[node] = rewrite::walk_in_step(map, hooks[h], size(), loops);
+      std::span<Dart const> const walked = rewrite::walk_in_step(map, hooks[h], size(), loops, workspace);
+      match[node].assign(walked.begin(), walked.end());
       if (match[node].empty()) return tl::unexpected(rewrite::hook_not_determined(rule.name, name(node)));
     }
     match_other_nodes();
@@ -116,10 +117,10 @@ struct Application {
     }
   }
 
-  std::vector<std::vector<Dart> const*> match_columns() const {
-    std::vector<std::vector<Dart> const*> matches;
+  std::vector<std::span<Dart const>> match_columns() const {
+    std::vector<std::span<Dart const>> matches;
     for (std::vector<Dart> const& m : match) {
-      if (!m.empty()) matches.push_back(&m);
+      if (!m.empty()) matches.emplace_back(m);
     }
     return matches;
   }
@@ -139,6 +140,7 @@ struct Application {
 
   // Matches the rule at every orbit of its hook, keeps the applications where it applies, and says how many they are.
   std::size_t find_all_matches() {
+    workspace.begin();
     OrbitType type;
     for (Letter const letter : rule.hook_type) type.words.push_back({letter});
     rewrite::Applications all = rewrite::all_applications(map, type);
@@ -221,9 +223,10 @@ struct Application {
         for (Index k = 0; k < size(); ++k) orbits.handle.push_back(embedding.handle(map.walk(match[source.preserved][w[k]], source.tail)));
       }
     } else {
-      std::vector<Column const*> generators;
-      for (Word const& g : component.generators) generators.push_back(&column(g));
-      orbits.orbit = rewrite::pattern_orbits(size(), generators);
+      std::vector<Index const*> generators;
+      for (Word const& g : component.generators) generators.push_back(column(g).data());
+      Index const* const orbit = rewrite::pattern_orbits(size(), generators, false, workspace);
+      orbits.orbit.assign(orbit, orbit + size());
     }
     if (component.kind == Kind::fresh || component.kind == Kind::assign) {
       std::vector<Value>& values = new_values[component.embedding];

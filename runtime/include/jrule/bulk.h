@@ -27,7 +27,7 @@ Applications all_applications(Map const& map, OrbitType const& type);
 /// Those that are not refused (one flag for each), in the same order. O(|P|).
 Applications without(Applications const& all, std::vector<bool> const& refused);
 /// The match column of what without() keeps, from that of all.
-std::vector<Dart> without(Applications const& all, std::vector<bool> const& refused, std::vector<Dart> const& match);
+std::vector<Dart> without(Applications const& all, std::vector<bool> const& refused, std::span<Dart const> match);
 
 /// Makes room to mark every dart, and marks those of P with their indices if column() needs it. Throws std::bad_alloc.
 void mark_pattern(Map const& map, std::vector<Dart> const& pattern, Workspace& workspace);
@@ -37,7 +37,7 @@ Column bulk_column(Map const& map, std::vector<Dart> const& pattern, Word const&
 
 /// Refuses the applications whose match columns name a dart twice. Two applications may name one dart. Forgets P's marks; there
 /// must be room for marks. O(|P| · columns).
-void refuse_matched_twice(Applications const& all, std::span<std::vector<Dart> const* const> matches, Workspace& workspace,
+void refuse_matched_twice(Applications const& all, std::span<std::span<Dart const> const> matches, Workspace& workspace,
                           std::vector<bool>& refused);
 
 }  // namespace jrule::rewrite

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "jrule/extern_pool.h"
+#include "jrule/memory.h"
 #include "jrule/value.h"
 #include "jrule/word.h"
 
@@ -66,8 +67,12 @@ class Embedding {
   Handle handle(std::uint32_t dart) const noexcept { return handles_[dart]; }
   void set_handle(std::uint32_t dart, Handle h) noexcept { handles_[dart] = h; }
   std::span<Handle const> handles() const noexcept { return handles_; }
+  /// The same to be written, for commits. Valid until darts are added.
+  Handle* handles_of_darts() noexcept { return handles_.data(); }
   /// One handle for each dart index; new ones are no_handle. Called by Map.
   void resize(std::size_t darts) { handles_.resize(darts, no_handle); }
+  /// The same, but leaves the new ones unset.
+  void extend(std::size_t darts) { handles_.resize(darts); }
   void reserve(std::size_t darts) { handles_.reserve(darts); }
 
   std::size_t value_count() const noexcept;
@@ -111,7 +116,7 @@ class Embedding {
   }
 
   EmbeddingSpec spec_;
-  std::vector<Handle> handles_;
+  ColumnOf<Handle> handles_;
   Pool pool_;
   std::unique_ptr<ExternPool> extern_pool_;  ///< of Type::Extern, whose pool_ stays empty
 };

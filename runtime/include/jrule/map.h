@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "jrule/embedding.h"
+#include "jrule/memory.h"
 #include "jrule/model.h"
 #include "jrule/result.h"
 #include "jrule/word.h"
@@ -56,9 +57,20 @@ class Map {
     return d;
   }
 
+  /// The same to be written, for commits: `arcs(i)[d]` is the target of d's i-arc, and in an oriented dimension
+  /// `sources_of_arcs(i)[e]` the source of e's; the caller keeps both consistent. Valid until darts are added.
+  Dart* arcs(int dimension) noexcept { return columns_[index_[dimension]].targets.data(); }
+  Dart* sources_of_arcs(int dimension) noexcept { return columns_[index_[dimension]].sources.data(); }
+
   /// Adds darts whose arcs are all loops and that have no values; returns them. Reuses erased indices, the smallest
   /// first, then appends. Strong guarantee; throws std::bad_alloc, or std::length_error past 2^32 - 2 darts.
   std::vector<Dart> add_darts(std::size_t count);
+  /// The same without memory of its own: gives as many darts as fit.
+  void add_darts(std::span<Dart> added);
+  /// Appends `count` darts, the first of which it returns, without setting their arcs and handles: the caller sets every one.
+  /// Strong guarantee; throws as add_darts().
+  Dart append_darts(std::size_t count);
+  bool has_erased_darts() const noexcept { return !free_.empty(); }
   /// Undoes the last add_darts(): `added` is what it returned, `limit` what dart_limit() was before. Nothing may refer to
   /// the darts any more.
   void undo_add(std::span<Dart const> added, Dart limit) noexcept;
@@ -91,9 +103,12 @@ class Map {
   std::optional<std::size_t> find_embedding(std::string const& name) const noexcept;
 
  private:
+  // Room for `count` darts more; what dart_limit() will be.
+  std::size_t reserve_darts(std::size_t count);
+
   struct Column {
-    std::vector<Dart> targets;  // no_dart for erased darts
-    std::vector<Dart> sources;  // the inverse; empty for a non-oriented dimension, which is its own inverse
+    ColumnOf<Dart> targets;  // no_dart for erased darts
+    ColumnOf<Dart> sources;  // the inverse; empty for a non-oriented dimension, which is its own inverse
   };
 
   Model model_;

@@ -47,12 +47,29 @@ class Workspace {
     return handles_;
   }
 
+  /// Begins an application: the pattern is empty, the columns of the last one may be used again.
+  void begin() noexcept {
+    pattern_.clear();
+    used_ = 0;
+  }
+  /// P, while it is being closed: meet() adds a dart that is not marked, and marks it with its index. There must be room to
+  /// mark every dart.
+  std::vector<Dart> const& pattern() const noexcept { return pattern_; }
+  void meet(Dart d) {
+    if (mark(d, static_cast<Index>(pattern_.size()))) pattern_.push_back(d);
+  }
+  /// A column of that size, its numbers unset. Valid until begin(). May throw std::bad_alloc.
+  Index* column(std::size_t size);
+
  private:
   std::vector<std::uint32_t> stamp_;
   std::vector<Index> value_;
   std::uint32_t epoch_ = 0;
   std::vector<Dart> queue_;
   std::vector<Handle> handles_;
+  std::vector<Dart> pattern_;
+  std::vector<ColumnOf<Index>> columns_;
+  std::size_t used_ = 0;  // of the columns
 };
 
 /// P: the closure of `hook` under the words and their conjugates, breadth first, the hook first. Leaves each dart of P marked
@@ -64,18 +81,19 @@ Column column(Map const& map, std::vector<Dart> const& pattern, Word const& word
 
 /// A loop (w, d) of a further hook: m(u·w, b) = m(u, b)·d.
 struct Loop {
-  Column const* word;
+  Index const* word;  ///< its column
   int dimension;
 };
-/// The match column of a further hook: P walked in step from `hook`. Empty if the loops do not determine it for all of P. That
-/// each loop then holds everywhere is for the caller to check.
-std::vector<Dart> walk_in_step(Map const& map, Dart hook, std::size_t pattern_size, std::span<Loop const> loops);
+/// The match column of a further hook: P walked in step from `hook`, a column of the workspace. Empty if the loops do not
+/// determine it for all of P. That each loop then holds everywhere is for the caller to check.
+std::span<Dart const> walk_in_step(Map const& map, Dart hook, std::size_t pattern_size, std::span<Loop const> loops, Workspace& workspace);
 
 /// Do the match columns name each dart once? If not, the first dart that is matched twice. Forgets P's marks.
-std::optional<Dart> matched_twice(std::span<std::vector<Dart> const* const> matches, Workspace& workspace);
+std::optional<Dart> matched_twice(std::span<std::span<Dart const> const> matches, Workspace& workspace);
 
-/// The orbits of P under columns: for each k the smallest index of its orbit.
-Column pattern_orbits(std::size_t pattern_size, std::span<Column const* const> generators);
+/// The orbits of P under columns: for each k the smallest index of its orbit, a column of the workspace. `involutions` says
+/// that there are two generators, each its own inverse. O(n · generators).
+Index const* pattern_orbits(std::size_t pattern_size, std::span<Index const* const> generators, bool involutions, Workspace& workspace);
 
 /// The darts of the orbit, `d` first, in the workspace's queue; marks them. Nothing if `d` is marked already. The workspace
 /// must have room for every dart; then it does not allocate.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "jrule/map.h"
+#include "jrule/orbit_walk.h"
 #include "jrule/rewrite.h"
 
 namespace jrule::rewrite {
@@ -18,64 +19,123 @@ namespace jrule::rewrite {
 template <class T>
 using Read = std::conditional_t<std::is_constructible_v<Value, std::in_place_type_t<T>>, T, T const&>;
 
-/// Adds a value; strong guarantee.
+/// Adds a value to the pool of an embedding; strong guarantee.
 template <class T>
-Handle add(Embedding& embedding, T value) {
-  std::vector<Stored<T>>& pool = embedding.values<Stored<T>>();
+Handle add(std::vector<Stored<T>>& pool, T value) {
   if (pool.size() >= no_handle - 1) throw std::length_error("too many values");
   pool.push_back(std::move(value));
   return static_cast<Handle>(pool.size() - 1);
 }
+template <class T>
+Handle add(Embedding& embedding, T value) {
+  return add<T>(embedding.values<Stored<T>>(), std::move(value));
+}
 
-/// The values of an embedding by dart, T being the C++ type of its values. Valid until the embedding changes.
+/// The values of an embedding by dart, T being the C++ type of its values. Valid until darts are added.
 template <class T>
 class Values {
  public:
-  explicit Values(Embedding const& embedding) : handles_(embedding.handles()), pool_(embedding.values<Stored<T>>()) {}
+  explicit Values(Embedding const& embedding) : handles_(embedding.handles().data()), pool_(embedding.values<Stored<T>>()) {}
   Read<T> operator[](Dart d) const { return static_cast<Read<T>>(pool_[handles_[d]]); }
-  /// Those over ⟨type⟩(d), one for each ⟨by⟩-orbit inside, in the order of orbit().
-  std::vector<Stored<T>> over(Map const& map, OrbitType const& type, OrbitType const& by, Dart d) const {
+  /// Those at the darts of a walk.
+  std::vector<Stored<T>> over(OrbitWalk const& walk, Map const& map, Dart d) const {
     std::vector<Stored<T>> list;
-    for (Dart const representative : representatives(map, type, by, d)) list.push_back(pool_[handles_[representative]]);
+    walk(map, d, [&](Dart at) { list.push_back(pool_[handles_[at]]); });
     return list;
   }
 
  private:
-  std::span<Handle const> handles_;
-  std::span<Stored<T> const> pool_;
+  Handle const* handles_;
+  std::vector<Stored<T>> const& pool_;
 };
 
-/// The list of the values of `element` at one dart for each ⟨by⟩-orbit inside ⟨type⟩(d), in the order of orbit().
+/// The list of the values of `element` at the darts of a walk.
 template <class Element>
-auto each(Map const& map, OrbitType const& type, OrbitType const& by, Dart d, Element element) {
+auto each(OrbitWalk const& walk, Map const& map, Dart d, Element element) {
   std::vector<Stored<decltype(element(d))>> list;
-  for (Dart const representative : representatives(map, type, by, d)) list.push_back(element(representative));
+  walk(map, d, [&](Dart at) { list.push_back(element(at)); });
   return list;
 }
 
-/// Values that an application is going to add to an embedding: nothing is seen of them before commit().
+/// sum() and mean() of values that come one by one: the same to the last bit, without a list.
+template <class T>
+class Total {
+ public:
+  void add(T const& value) {
+    total_ = total_ + value;
+    ++count_;
+  }
+  T sum() const { return total_; }
+  T mean() const { return total_ / static_cast<double>(count_); }
+
+ private:
+  T total_{};
+  std::size_t count_ = 0;
+};
+/// Points have no sum: theirs is the mean of the vectors from the origin.
+template <class Point, class Vector>
+class PointTotal {
+ public:
+  void add(Point value) { vectors_.add(value - Point{}); }
+  Point mean() const { return Point{} + vectors_.mean(); }
+
+ private:
+  Total<Vector> vectors_;
+};
+template <>
+class Total<Point2> : public PointTotal<Point2, Vec2> {};
+template <>
+class Total<Point3> : public PointTotal<Point3, Vec3> {};
+template <>
+class Total<std::int64_t> {
+ public:
+  void add(std::int64_t value) {
+    wrapped_ += static_cast<std::uint64_t>(value);
+    reals_.add(static_cast<double>(value));
+  }
+  std::int64_t sum() const { return static_cast<std::int64_t>(wrapped_); }
+  double mean() const { return reals_.mean(); }
+
+ private:
+  std::uint64_t wrapped_ = 0;  // unsigned, so that overflow is defined
+  Total<double> reals_;
+};
+
+template <class Element>
+auto total(OrbitWalk const& walk, Map const& map, Dart d, Element element) {
+  Total<std::decay_t<decltype(element(d))>> total;
+  walk(map, d, [&](Dart at) { total.add(element(at)); });
+  return total;
+}
+/// The number of darts of a walk.
+inline std::int64_t count(OrbitWalk const& walk, Map const& map, Dart d) {
+  std::int64_t count = 0;
+  walk(map, d, [&](Dart) { ++count; });
+  return count;
+}
+
+/// Values that an application is going to give to orbits. They are in the pool at once, but no dart refers to them; unless keep()
+/// is called, the destructor takes them out again.
 template <class T>
 class NewValues {
  public:
-  explicit NewValues(Embedding& embedding) : embedding_(embedding), base_(embedding.value_count()) {}
-  /// The handle that the value will have.
-  Handle add(T value) {
-    std::size_t const handle = base_ + values_.size();
-    if (handle >= no_handle) throw std::length_error("too many values");
-    values_.push_back(std::move(value));
-    return static_cast<Handle>(handle);
+  explicit NewValues(Embedding& embedding)
+      : embedding_(embedding), pool_(embedding.values<Stored<T>>()), base_(embedding.value_count()) {}
+  ~NewValues() {
+    if (!kept_) embedding_.truncate_values(base_);
   }
-  /// Room in the embedding for these values and `more`.
-  void reserve(std::size_t more = 0) { embedding_.reserve_values(values_.size() + more); }
-  void commit() noexcept {
-    std::vector<Stored<T>>& pool = embedding_.values<Stored<T>>();
-    for (Stored<T>& value : values_) pool.push_back(std::move(value));
-  }
+  NewValues(NewValues const&) = delete;
+  NewValues& operator=(NewValues const&) = delete;
+
+  /// Its handle. References to values of the embedding are no longer valid.
+  Handle add(T value) { return rewrite::add<T>(pool_, std::move(value)); }
+  void keep() noexcept { kept_ = true; }
 
  private:
   Embedding& embedding_;
+  std::vector<Stored<T>>& pool_;
   std::size_t base_;
-  std::vector<Stored<T>> values_;
+  bool kept_ = false;
 };
 
 /// Gives the whole orbit of `d` a new value; strong guarantee. Not part of a rule: for programs that change values by hand.

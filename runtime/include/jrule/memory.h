@@ -1,0 +1,56 @@
+// The memory of columns: one number for each dart, in large arrays that are written as streams.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace jrule {
+
+/// Allocates like std::allocator, but leaves numbers unset where none is given, so that a column is not written twice; and asks
+/// for large pages where an array is large: with small ones their first touch costs more than what is written to them.
+template <class T>
+class ColumnAllocator {
+ public:
+  using value_type = T;
+  ColumnAllocator() noexcept = default;
+  template <class U>
+  ColumnAllocator(ColumnAllocator<U> const&) noexcept {}
+
+  T* allocate(std::size_t count);
+  void deallocate(T* memory, std::size_t count) noexcept;
+  template <class U, class... Args>
+  void construct(U* place, Args&&... args) {
+    if constexpr (sizeof...(Args) == 0) {
+      static_assert(std::is_trivially_default_constructible_v<U>);
+      ::new (static_cast<void*>(place)) U;
+    } else {
+      std::construct_at(place, std::forward<Args>(args)...);
+    }
+  }
+  bool operator==(ColumnAllocator const&) const noexcept { return true; }
+};
+
+/// resize() leaves the new elements unset.
+template <class T>
+using ColumnOf = std::vector<T, ColumnAllocator<T>>;
+
+namespace memory {
+/// Throws std::bad_alloc.
+void* allocate(std::size_t bytes);
+void deallocate(void* memory, std::size_t bytes) noexcept;
+}  // namespace memory
+
+template <class T>
+T* ColumnAllocator<T>::allocate(std::size_t count) {
+  if (count > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_array_new_length();
+  return static_cast<T*>(memory::allocate(count * sizeof(T)));
+}
+template <class T>
+void ColumnAllocator<T>::deallocate(T* memory, std::size_t count) noexcept {
+  memory::deallocate(memory, count * sizeof(T));
+}
+
+}  // namespace jrule
