@@ -73,6 +73,8 @@ Embedding::Embedding(EmbeddingSpec spec) : spec_(std::move(spec)) {
 Embedding::Embedding(Embedding const& other)
     : spec_(other.spec_),
       handles_(other.handles_),
+      overwritten_(other.overwritten_),
+      compacted_(other.compacted_),
       pool_(other.pool_),
       extern_pool_(other.extern_pool_ ? other.extern_pool_->clone() : nullptr) {}
 
@@ -133,29 +135,37 @@ Value Embedding::value(Handle h) const noexcept {
       pool_);
 }
 
-void Embedding::compact() {
-  std::vector<Handle> renumbered(value_count(), no_handle);
-  std::vector<Handle> kept;
+void Embedding::compact(std::vector<Handle>& scratch) {
+  scratch.clear();  // a larger buffer then copies nothing
+  scratch.resize(value_count(), no_handle);
   for (Handle const h : handles_) {
-    if (h == no_handle || renumbered[h] != no_handle) continue;
-    renumbered[h] = static_cast<Handle>(kept.size());
-    kept.push_back(h);
+    if (h != no_handle) scratch[h] = 0;
   }
+  Handle kept = 0;
+  for (Handle& number : scratch) {
+    if (number != no_handle) number = kept++;
+  }
+  overwritten_ = 0;
+  compacted_ = kept;
+  if (kept == scratch.size()) return;
   if (extern_pool_) {
-    extern_pool_->keep(kept);
+    extern_pool_->keep_numbered(scratch);
   } else {
-    std::visit(
-        [&](auto& pool) {
-          std::remove_reference_t<decltype(pool)> values;
-          values.reserve(kept.size());
-          for (Handle const h : kept) values.push_back(pool[h]);
-          pool = std::move(values);
-        },
-        pool_);
+    std::visit([&](auto& pool) { keep_numbered(pool, std::span<Handle const>(scratch)); }, pool_);
   }
   for (Handle& h : handles_) {
-    if (h != no_handle) h = renumbered[h];
+    if (h != no_handle) h = scratch[h];
   }
+}
+
+void Embedding::compact() {
+  std::vector<Handle> scratch;
+  compact(scratch);
+}
+
+bool Embedding::is_compaction_due() const noexcept {
+  std::size_t const values = value_count(), added = values > compacted_ ? values - compacted_ : 0;
+  return overwritten_ + added > 0 && overwritten_ + added >= handles_.size();
 }
 
 Value Embedding::merge(std::span<Handle const> parts) const noexcept {

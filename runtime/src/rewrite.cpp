@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <new>
 #include <numeric>
 #include <utility>
 
@@ -191,10 +192,23 @@ void merge_orbit(Map& map, std::size_t embedding, Dart d, Workspace& workspace) 
   for (Dart const member : members) e.set_handle(member, value);
 }
 
+void drop_unused_values(Map& map, Workspace& workspace) noexcept {
+  for (std::size_t e = 0; e < map.embedding_count(); ++e) {
+    Embedding& embedding = map.embedding(e);
+    if (!embedding.is_compaction_due()) continue;
+    try {
+      embedding.compact(workspace.handles());
+    } catch (std::bad_alloc const&) {
+      // It stays due: the next application tries again.
+    }
+  }
+}
+
 void set_value(Map& map, std::size_t embedding, Dart d, Value const& value, Workspace& workspace) {
   workspace.reserve(map.dart_limit());
   workspace.clear_marks();
   assign_orbit(map, embedding, d, map.embedding(embedding).add(value), workspace);
+  drop_unused_values(map, workspace);
 }
 
 Result<std::size_t> apply_everywhere(Map const& map, OrbitType const& type, std::function<Result<void>(Dart)> const& apply) {

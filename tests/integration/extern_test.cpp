@@ -1,6 +1,9 @@
 // Generated code with C++ from outside: its values, and that a map is what it was when a function throws.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+
 #include "terrain.h"
 
 namespace {
@@ -226,6 +229,28 @@ TEST_F(Extern, ValuesThatNoDartHasAreDropped) {
   soil.compact();
   EXPECT_EQ(soil.value_count(), 1U);
   EXPECT_EQ(map_.soil(far_).name, "clay+marl");
+}
+
+TEST_F(Extern, ALongSeriesKeepsThePoolsSmall) {
+  make_neighbours();
+  std::size_t const darts = map_.map().dart_count();
+  std::size_t most = 0;
+  for (int i = 0; i < 100; ++i) {
+    ASSERT_TRUE(plough(map_, far_));
+    map_.set_owner(far_, geo::Soil("owner " + std::to_string(i)));
+    EXPECT_EQ(map_.owner(far_).name, "owner " + std::to_string(i));
+    for (std::size_t const count : contents(map_.map()).value_counts) most = std::max(most, count);
+  }
+  EXPECT_LE(most, darts) << "of 400 that were made";
+  EXPECT_EQ(map_.soil(far_).name.size(), 100 * std::string("turned ").size() + std::string("marl").size());
+  EXPECT_EQ(map_.soil(border_).name, "clay");
+  expect_valid(map_.map());
+  // Where it fails, nothing is dropped either.
+  for (int i = 0; i < 20; ++i) {
+    Contents const before = contents(map_.map());
+    EXPECT_THROW((void)plough(map_, far_, -1), std::domain_error);
+    ASSERT_EQ(contents(map_.map()), before);
+  }
 }
 
 // ---- Files ----

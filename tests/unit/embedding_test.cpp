@@ -207,7 +207,7 @@ TEST(Embedding, HasAHandleForEachDart) {
   EXPECT_EQ(handles(e), (std::vector<Handle>{no_handle, 0, no_handle}));
 }
 
-TEST(Embedding, CompactDropsUnusedValuesInTheOrderOfTheDarts) {
+TEST(Embedding, CompactDropsUnusedValuesAndKeepsTheOrder) {
   Embedding e(spec(Type::Real));
   for (double x : {0.0, 1.0, 2.0, 3.0, 4.0}) e.add(x);
   e.resize(5);
@@ -216,8 +216,8 @@ TEST(Embedding, CompactDropsUnusedValuesInTheOrderOfTheDarts) {
   e.set_handle(3, 3);
   e.set_handle(4, 4);
   e.compact();
-  EXPECT_EQ(e.values<double>(), (std::vector<double>{3, 1, 4}));
-  EXPECT_EQ(handles(e), (std::vector<Handle>{0, no_handle, 1, 0, 2}));
+  EXPECT_EQ(e.values<double>(), (std::vector<double>{1, 3, 4}));
+  EXPECT_EQ(handles(e), (std::vector<Handle>{1, no_handle, 0, 1, 2}));
 }
 
 TEST(Embedding, MergesByItsPolicy) {

@@ -100,6 +100,25 @@ TEST(Interpreter, AListReachesBeyondTheMatchedPartAndIsReadBefore) {
   EXPECT_FALSE(find_violation(map));
 }
 
+TEST(Interpreter, ALongSeriesKeepsThePoolSmall) {
+  Applier set(vertex_weight + "rule set(x: Real) on S { left { hook a <>; require x < 1000; } right { a { w = x + a.w; } } }");
+  Map map = set.polygons({4});
+  std::size_t drops = 0;
+  for (int i = 1; i <= 100; ++i) {
+    std::size_t const before = map.embedding(0).value_count();
+    ASSERT_FALSE(set.at(map, {1}, {1000.0}));
+    ASSERT_EQ(map.embedding(0).value_count(), before) << "nothing is dropped when nothing is applied";
+    ASSERT_TRUE(set.at(map, {1}, {1.0}));
+    ASSERT_LE(map.embedding(0).value_count(), 9U) << "two for each corner, and the new one";
+    if (map.embedding(0).value_count() <= before) ++drops;
+    ASSERT_EQ(real_at(map, 2), 1 + i);
+  }
+  EXPECT_GT(drops, 0U);
+  EXPECT_LT(drops, 50U);
+  for (Dart const d : {0U, 3U, 4U}) EXPECT_EQ(real_at(map, d), d == 0 ? 0 : 2);
+  EXPECT_FALSE(find_violation(map));
+}
+
 TEST(Interpreter, ExpressionsSeeTheMapBefore) {
   // The two ends of an edge exchange their values.
   Applier swap(vertex_weight + "rule swap on S { left { hook a <>; b; a -0- b; } right { a { w = b.w; } b { w = a.w; } a -0- b; } }");

@@ -275,6 +275,11 @@ void write_commit(Writer& out, Function const& f) {
   write_embeddings(out, f, true);
   out.close("};");
   out.line("{}();", f.local("commit"));
+  // Darts that are added had no values, so without a hook there is nothing to drop.
+  bool const drops = !f.plan.deleted.empty() || visits_orbits(f);
+  if (drops && !f.rule.hooks.empty() && !f.embeddings.empty()) {
+    out.line("jrule::rewrite::drop_unused_values({}, {});", f.map, f.workspace);
+  }
 }
 
 }  // namespace jrule::cpp

@@ -293,6 +293,7 @@ struct Application {
       group = key;
       commit_values(s, copies);
     }
+    rewrite::drop_unused_values(map, workspace);
   }
 
   void commit_values(StagedOrbits const& s, std::vector<std::vector<Dart>> const& copies) noexcept {

@@ -1,5 +1,9 @@
 // Values on orbits: a handle per dart into a pool of values. Two orbits may share a handle (a split copies handles, not
 // values), so a value in the pool is never changed while a dart refers to it: an orbit gets a new value by a new handle.
+//
+// A value that no dart refers to any more is dropped by compact(), which applications of rules and rewrite::set_value
+// call at their end when is_compaction_due(). That renumbers: a handle, or a reference to a value, is valid until the
+// next of them succeeds. tests/bench/storage_bench.cpp compares this with other ways of storing values.
 #pragma once
 
 #include <cstdint>
@@ -65,7 +69,10 @@ class Embedding {
 
   EmbeddingSpec const& spec() const noexcept { return spec_; }
   Handle handle(std::uint32_t dart) const noexcept { return handles_[dart]; }
-  void set_handle(std::uint32_t dart, Handle h) noexcept { handles_[dart] = h; }
+  void set_handle(std::uint32_t dart, Handle h) noexcept {
+    if (handles_[dart] != no_handle) ++overwritten_;
+    handles_[dart] = h;
+  }
   std::span<Handle const> handles() const noexcept { return handles_; }
   /// The same to be written, for commits. Valid until darts are added.
   Handle* handles_of_darts() noexcept { return handles_.data(); }
@@ -92,8 +99,15 @@ class Embedding {
   std::vector<T> const& values() const { return values_of<T>(*this); }
   template <class T>
   std::vector<T>& values() { return values_of<T>(*this); }
-  /// Drops the values that no dart refers to and renumbers the rest in the order of the darts. O(darts + values).
+  /// Drops the values that no dart refers to and renumbers the rest, which keep their order. O(darts + values), in place
+  /// but for a handle for each value in `scratch`: throws only std::bad_alloc for that, and then nothing has changed.
+  void compact(std::vector<Handle>& scratch);
   void compact();
+  /// Have as many handles been overwritten and values been added since the last compact() as there are dart indices?
+  /// Called when due, compact() costs O(1) for each of these changes, however few values there are, and the pool never
+  /// holds more than two values for each dart index and, if the orbits are of one size and no index is free, twice the
+  /// values that darts refer to, besides those that no dart ever had; plus what the last change added. O(1).
+  bool is_compaction_due() const noexcept;
 
   /// The value of a merged orbit by the embedding's policy (`first`, `mean`, `min` or `max`; not of Type::Extern) from its
   /// parts' values; one part or more, in the order of the darts that bring them.
@@ -117,6 +131,8 @@ class Embedding {
 
   EmbeddingSpec spec_;
   ColumnOf<Handle> handles_;
+  std::size_t overwritten_ = 0;  ///< how many handles, since the last compact()
+  std::size_t compacted_ = 0;    ///< how many values the last compact() left
   Pool pool_;
   std::unique_ptr<ExternPool> extern_pool_;  ///< of Type::Extern, whose pool_ stays empty
 };

@@ -19,6 +19,23 @@ inline constexpr Handle no_handle = 0xffffffffU;
 template <class T>
 using Stored = std::conditional_t<std::is_same_v<T, bool>, std::uint8_t, T>;
 
+/// Moves each value to its new number, which is no greater than its old one and ascends with it; drops those whose
+/// number is no_handle. O(values), in place: a value is moved at most once.
+template <class T>
+void keep_numbered(std::vector<T>& values, std::span<Handle const> numbers) noexcept {
+  std::size_t kept = 0;
+  for (std::size_t h = 0; h < values.size(); ++h) {
+    if (numbers[h] == no_handle) continue;
+    if (kept != h) {
+      // By construction, for T need not be assignable.
+      std::destroy_at(&values[kept]);
+      std::construct_at(&values[kept], std::move(values[h]));
+    }
+    ++kept;
+  }
+  while (values.size() > kept) values.pop_back();
+}
+
 class ExternPool {
  public:
   virtual ~ExternPool() = default;
@@ -29,8 +46,8 @@ class ExternPool {
   virtual void reserve(std::size_t further) = 0;
   /// Keeps the first `count` values.
   virtual void truncate(std::size_t count) noexcept = 0;
-  /// Keeps these values, each once, in this order; strong guarantee.
-  virtual void keep(std::span<Handle const> kept) = 0;
+  /// jrule::keep_numbered() of its values.
+  virtual void keep_numbered(std::span<Handle const> numbers) noexcept = 0;
 };
 
 template <class T>
@@ -51,12 +68,7 @@ class PoolOf final : public ExternPool {
   void truncate(std::size_t count) noexcept override {
     while (values.size() > count) values.pop_back();
   }
-  void keep(std::span<Handle const> kept) override {
-    std::vector<T> result;
-    result.reserve(kept.size());
-    for (Handle const h : kept) result.push_back(std::move(values[h]));
-    values = std::move(result);
-  }
+  void keep_numbered(std::span<Handle const> numbers) noexcept override { jrule::keep_numbered(values, numbers); }
 };
 
 /// An empty pool of values of type T.

@@ -42,6 +42,7 @@ class Workspace {
     queue_.clear();
     return queue_;
   }
+  /// An empty list with room for every dart.
   std::vector<Handle>& handles() noexcept {
     handles_.clear();
     return handles_;
@@ -113,7 +114,13 @@ bool collect_values(Embedding const& embedding, std::span<Dart const> darts, std
 /// ⟨by⟩ must be a subgroup of ⟨type⟩. O(orbit · words).
 std::vector<Dart> representatives(Map const& map, OrbitType const& type, OrbitType const& by, Dart d);
 
+/// After the commit: drops the values that no dart refers to any more from the embeddings where Embedding::is_compaction_due(),
+/// and so may renumber handles. Puts it off where memory is lacking. O(1) for each handle that was overwritten or value
+/// added since it last did something, all at once; O(embeddings) if nothing is due.
+void drop_unused_values(Map& map, Workspace& workspace) noexcept;
+
 /// Gives the whole orbit of `d` a new value; strong guarantee. Not part of a rule: for programs that change values by hand.
+/// Ends with drop_unused_values().
 void set_value(Map& map, std::size_t embedding, Dart d, Value const& value, Workspace& workspace);
 
 /// Calls `apply` with the smallest dart of each ⟨type⟩-orbit, ascending, as numbered before the first call, unless an earlier

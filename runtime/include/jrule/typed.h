@@ -139,11 +139,13 @@ class NewValues {
 };
 
 /// Gives the whole orbit of `d` a new value; strong guarantee. Not part of a rule: for programs that change values by hand.
+/// Ends with drop_unused_values().
 template <class T>
 void set_extern_value(Map& map, std::size_t embedding, Dart d, T value, Workspace& workspace) {
   workspace.reserve(map.dart_limit());
   workspace.clear_marks();
   assign_orbit(map, embedding, d, add<T>(map.embedding(embedding), std::move(value)), workspace);
+  drop_unused_values(map, workspace);
 }
 
 /// For ExternParts::add_merged: the values merged two at a time, `merge(merge(a, b), c)`, and all at once, `merge({a, b, c})`.
