@@ -224,10 +224,7 @@ TEST_F(Extern, CopiesOfAMapHaveTheirOwnValues) {
 TEST_F(Extern, ValuesThatNoDartHasAreDropped) {
   make_neighbours();
   ASSERT_TRUE(unite(map_, border_));
-  jrule::Embedding& soil = map_.map().embedding(1);
-  EXPECT_EQ(soil.value_count(), 3U);
-  soil.compact();
-  EXPECT_EQ(soil.value_count(), 1U);
+  EXPECT_EQ(map_.map().embedding(1).value_count(), 1U) << "clay and marl were the others";
   EXPECT_EQ(map_.soil(far_).name, "clay+marl");
 }
 
