@@ -20,12 +20,11 @@ using source::Span;
 
 namespace {
 
-char const* const aggregate_it = "aggregate it: `mean(…)`, `first(…)`";
 char const* const read_it = "a value at a dart is read with a dot: `a.position`";
 
 bool is_point(ExprPtr const& expr) { return expr->type.element == Type::Point2 || expr->type.element == Type::Point3; }
 
-/// What to do instead of arithmetic that darts and points do not have.
+/// What the operator takes, or what to do instead of it.
 std::vector<std::string> advice(Builtin op, std::vector<ExprPtr> const& operands) {
   if (std::any_of(operands.begin(), operands.end(), [](ExprPtr const& e) { return e->type.dart; })) return {read_it};
   if (op == Builtin::add && std::all_of(operands.begin(), operands.end(), is_point)) {
@@ -35,7 +34,23 @@ std::vector<std::string> advice(Builtin op, std::vector<ExprPtr> const& operands
   if (scales && std::any_of(operands.begin(), operands.end(), is_point)) {
     return {"a point is a place and has no multiples; a vector has: `a + t * (b - a)`, which is `lerp(a, b, t)`"};
   }
-  return {};
+  bool const vectors = std::all_of(operands.begin(), operands.end(),
+                                   [](ExprPtr const& e) { return e->type.element == Type::Vec2 || e->type.element == Type::Vec3; });
+  switch (op) {
+    case Builtin::multiply:
+      if (!vectors) return {};
+      return {"two vectors have the products `dot(v, w)` and, in space, `cross(v, w)`"};
+    case Builtin::logical_and:
+    case Builtin::logical_or:
+    case Builtin::logical_not: return {"it takes a `Bool`, such as a comparison: `n > 0`"};
+    case Builtin::less:
+    case Builtin::less_equal:
+    case Builtin::greater:
+    case Builtin::greater_equal: return {"only an `Int` or a `Real` is less or greater than another"};
+    case Builtin::equal:
+    case Builtin::not_equal: return {"it compares values of one type, or an `Int` with a `Real`"};
+    default: return {};
+  }
 }
 
 /// "it is defined as `dot(Vec2, Vec2)`, `dot(Vec3, Vec3)`"
@@ -83,12 +98,13 @@ void report_types(Builtin function, Span name, std::vector<ExprPtr> const& argum
                        .span = name,
                        .message = fmt::format("`{}` is not defined for {}", spelling(function), types),
                        .labels = type_labels(arguments),
-                       .notes = advice(function, arguments)};
+                       .notes = {}};
   bool const has_extern = std::any_of(arguments.begin(), arguments.end(), [](auto const& a) { return a->type.external != nullptr; });
   if (has_extern) {
     d.notes.push_back("of values of an extern type only `first` and `count` are known; the rest is for an `extern fn`");
-  } else if (is_function(function)) {
-    d.notes.push_back(definitions(function));
+  } else {
+    d.notes = advice(function, arguments);
+    if (is_function(function)) d.notes.push_back(definitions(function));
   }
   diagnostics.add(std::move(d));
 }
@@ -118,11 +134,19 @@ std::vector<Label> type_labels(std::vector<ExprPtr> const& operands) {
   return labels;
 }
 
+std::string aggregate_it(ExprType const& list) {
+  switch (list.element) {
+    case Type::Bool: return "aggregate it: `all(…)`, `any(…)`";
+    case Type::Extern: return "aggregate it: `first(…)`, or an `extern fn` that takes a list";
+    default: return "aggregate it: `mean(…)`, `first(…)`";
+  }
+}
+
 ExprPtr report_list(std::string const& user, ir::Expr const& argument, Diagnostics& diagnostics) {
   diagnostics.add({.code = Code::type_mismatch,
                    .span = argument.span,
                    .message = fmt::format("`{}` needs one value, this is {}", user, described(argument.type)),
-                   .notes = {aggregate_it}});
+                   .notes = {aggregate_it(argument.type)}});
   return {};
 }
 
@@ -139,7 +163,7 @@ ExprPtr convert(ExprPtr value, ExprType expected, Diagnostics& diagnostics) {
   source::Diagnostic d{.code = Code::type_mismatch,
                        .span = span,
                        .message = fmt::format("expected {}, this is {}", described(expected), described(value->type))};
-  if (value->type.list && !expected.list) d.notes.push_back(aggregate_it);
+  if (value->type.list && !expected.list) d.notes.push_back(aggregate_it(value->type));
   if (value->type.dart) d.notes.push_back(read_it);
   diagnostics.add(std::move(d));
   return {};

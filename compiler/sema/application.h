@@ -26,6 +26,9 @@ bool check_argument_count(ir::Builtin function, source::Span name, std::size_t c
 /// Reports a list (J0240) where `user`, such as `+` or `.x`, needs one value. Gives null.
 ir::ExprPtr report_list(std::string const& user, ir::Expr const& argument, source::Diagnostics& diagnostics);
 
+/// The note that says how one value is made of such a list.
+std::string aggregate_it(ir::ExprType const& list);
+
 /// "a `Real`", "an `Int`", "a list `[Real]`".
 std::string described(ir::ExprType const& type);
 

@@ -359,7 +359,7 @@ class Checker {
     variables_.pop_back();
     if (element && (element->type.list || element->type.dart)) {
       std::vector<std::string> notes;
-      if (element->type.list) notes.push_back("aggregate it: `mean(…)`, `first(…)`");
+      if (element->type.list) notes.push_back(aggregate_it(element->type));
       if (element->type.dart) notes.push_back(fmt::format("a value at it is read with a dot: `{}.…`", variable.name));
       element = report(Code::type_mismatch, element->span,
                        fmt::format("the element of a comprehension is one value, this is {}", described(element->type)),

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "compiler/algebra/group.h"
 #include "compiler/sema/names.h"
@@ -259,15 +260,16 @@ std::shared_ptr<ir::Modeler const> elaborate_modeler(ast::Modeler const& declare
     ir::EmbeddingExterns from_outside{type->external, {}, {}};
     if (e.default_value) {
       auto const value = evaluate_default(*e.default_value, *type, externs, diagnostics);
-      if (!value) continue;
-      spec.default_value = value->value;
-      from_outside.default_value = value->computed;
+      if (!value && type->external) continue;
+      // After an error any value will do: rules may use the embedding, and must not be told that they lack a value.
+      constexpr std::array zero{0.0, 0.0, 0.0};
+      spec.default_value = value ? value->value : from_components(type->element, zero);
+      if (value) from_outside.default_value = value->computed;
     }
     if (e.merge) {
       auto const merge = resolve_merge(*e.merge, *type, externs, diagnostics);
-      if (!merge) continue;
-      spec.merge = merge->policy;
-      from_outside.merge = merge->function;
+      spec.merge = merge ? merge->policy : MergePolicy::first;
+      if (merge) from_outside.merge = merge->function;
     }
     modeler->embeddings.push_back(std::move(spec));
     modeler->externs.push_back(std::move(from_outside));

@@ -267,6 +267,7 @@ TEST(PrintJrule, KeepsUnitsOfParameters) {
       {"m", "how far up"}, {"°", ""},         {"kg m/s", "of each"}, {"m", "(high)"}, {"", "[0, 1] along the edge"}, {"", "[Soil](soil.md)"},
       {"", "so far [m]"},  {"", "[m\n]"}, {"", "[ ] [] [\\]"}};
   EXPECT_EQ(found, expected);
+  EXPECT_NE(ir::print(rule).find("\n  parameter a: Real [m]\n"), std::string::npos) << ir::print(rule);
   auto const text = text::print_jrule(rule);
   ASSERT_TRUE(text) << text.error().reason;
   EXPECT_EQ(difference(rule, rule_of(*text), Order::kept), std::nullopt) << *text;

@@ -35,11 +35,14 @@ TEST_F(Expressions, OperatorsOnOtherTypes) {
       "J0241 `+`: `+` is not defined for `Vec3` and `Vec2`\n| `u3`: this is a `Vec3`\n| `u2`: this is a `Vec2`\n");
   EXPECT_EQ(
       errors("(u3 * u3) + h"),
-      "J0241 `*`: `*` is not defined for `Vec3` and `Vec3`\n| `u3`: this is a `Vec3`\n| `u3`: this is a `Vec3`\n");
+      "J0241 `*`: `*` is not defined for `Vec3` and `Vec3`\n| `u3`: this is a `Vec3`\n| `u3`: this is a `Vec3`\n"
+      "= two vectors have the products `dot(v, w)` and, in space, `cross(v, w)`\n");
+  std::string const condition = "= it takes a `Bool`, such as a comparison: `n > 0`\n";
   EXPECT_EQ(
       errors("h and flag"),
-      "J0241 `and`: `and` is not defined for `Real` and `Bool`\n| `h`: this is a `Real`\n| `flag`: this is a `Bool`\n");
-  EXPECT_EQ(errors("not n"), "J0241 `not`: `not` is not defined for `Int`\n| `n`: this is an `Int`\n");
+      "J0241 `and`: `and` is not defined for `Real` and `Bool`\n| `h`: this is a `Real`\n| `flag`: this is a `Bool`\n" +
+          condition);
+  EXPECT_EQ(errors("not n"), "J0241 `not`: `not` is not defined for `Int`\n| `n`: this is an `Int`\n" + condition);
   for (char const* text : {"u2 - p2",   "u3 - p3",  "p3 + u2",   "p3 - p2",     "p3 - h",    "h / u3",      "h + u3",
                            "red * red", "-red",     "-flag",     "flag + flag", "flag * 2",  "flag < flag", "u3 < u3",
                            "p3 >= p3",  "u3 == p3", "n == flag", "flag != h",   "red == u3", "n or flag"}) {
@@ -131,7 +134,7 @@ TEST_F(Expressions, AggregatesNeedLists) {
 }
 
 TEST_F(Expressions, AListIsNotOneValue) {
-  std::string const note = "= aggregate it: `mean(…)`, `first(…)`\n";
+  std::string const note = "= aggregate it: `mean(…)`, `first(…)`\n", conditions = "= aggregate it: `all(…)`, `any(…)`\n";
   EXPECT_EQ(errors("<0,1>(a).position - b.position"),
             "J0240 `<0,1>(a).position`: `-` needs one value, this is a list `[Point3]`\n" + note);
   EXPECT_EQ(errors("norm(<0,1>(a).normal)"),
@@ -141,8 +144,8 @@ TEST_F(Expressions, AListIsNotOneValue) {
   EXPECT_EQ(errors("<0,1>(a).position.x"),
             "J0240 `<0,1>(a).position`: `.x` needs one value, this is a list `[Point3]`\n" + note);
   EXPECT_EQ(errors("<0>(a).mark == <0>(b).mark"),
-            "J0240 `<0>(a).mark`: `==` needs one value, this is a list `[Bool]`\n" + note +
-                "J0240 `<0>(b).mark`: `==` needs one value, this is a list `[Bool]`\n" + note);
+            "J0240 `<0>(a).mark`: `==` needs one value, this is a list `[Bool]`\n" + conditions +
+                "J0240 `<0>(b).mark`: `==` needs one value, this is a list `[Bool]`\n" + conditions);
 }
 
 TEST_F(Expressions, TheNumberOfArguments) {
