@@ -6,6 +6,7 @@
 #include <string>
 
 #include "compiler/analysis/analyze.h"
+#include "compiler/analysis/independence.h"
 #include "compiler/backend/interpreter/interpreter.h"
 #include "compiler/sema/elaborate.h"
 
@@ -71,6 +72,31 @@ void interpret(benchmark::State& state, ir::RuleScheme const& rule) {
 
 void quad_subdivision_interpreted(benchmark::State& state) { interpret(state, quad_subdivision()); }
 BENCHMARK(quad_subdivision_interpreted)->Arg(112)->Unit(benchmark::kMillisecond);
+
+/// A rule at each orbit of its hook, of a torus of n² quads, in turn or all at once.
+void interpret_everywhere(benchmark::State& state, ir::RuleScheme const& rule, decltype(interpreter::apply_all)* everywhere) {
+  analysis::Plan const plan = analysis::analyze(rule).plan;
+  if (!analysis::analyze_independence(rule, plan).independent()) return state.SkipWithError("the rule is not proved independent");
+  Map const original = torus(rule, static_cast<std::uint32_t>(state.range(0)));
+  rewrite::Workspace workspace;
+  for (auto _ : state) {
+    state.PauseTiming();
+    Map map = original;
+    state.ResumeTiming();
+    auto const applied = everywhere(rule, plan, map, {}, workspace);
+    if (!applied) state.SkipWithError(applied.error().message.c_str());
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(original.dart_count()));
+}
+
+void quad_subdivision_at_once(benchmark::State& state) { interpret_everywhere(state, quad_subdivision(), interpreter::apply_all); }
+BENCHMARK(quad_subdivision_at_once)->Arg(112)->Unit(benchmark::kMillisecond);
+
+ir::RuleScheme triangulate() { return first_rule(JRULE_SOURCE_DIR "/tests/bench/data/triangulate.jrule"); }
+void triangulate_in_turn(benchmark::State& state) { interpret_everywhere(state, triangulate(), interpreter::apply_everywhere); }
+BENCHMARK(triangulate_in_turn)->Arg(112)->Unit(benchmark::kMillisecond);
+void triangulate_at_once(benchmark::State& state) { interpret_everywhere(state, triangulate(), interpreter::apply_all); }
+BENCHMARK(triangulate_at_once)->Arg(112)->Unit(benchmark::kMillisecond);
 
 // Nested comprehensions at every vertex: the rate must not fall as the surface grows.
 void catmull_clark_interpreted(benchmark::State& state) {

@@ -255,7 +255,8 @@ struct Application {
     for (std::size_t e = 0; e < map.embedding_count(); ++e) {
       std::size_t merges = 0;
       for (StagedOrbits const& s : staged) {
-        if (s.component->embedding == e && s.component->kind == analysis::OrbitComponent::Kind::merge) merges += size();
+        if (s.component->embedding != e || s.component->kind != analysis::OrbitComponent::Kind::merge) continue;
+        for (Index k = 0; k < size(); ++k) merges += s.orbit[k] == k;
       }
       map.embedding(e).reserve_values(new_values[e].size() + merges);
     }
