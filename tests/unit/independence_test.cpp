@@ -109,6 +109,18 @@ TEST(Independence, NodesThatDifferShareNothing) {
             "a dart may be `a` of one application and `b` of another, and both remove its 1-arc\n");
 }
 
+TEST(Independence, SubdivisionsOfTheLibrary) {
+  source::Sources sources;
+  source::Diagnostics diagnostics;
+  auto const modules = sema::load(JRULE_SOURCE_DIR "/stdlib/std/subdivision.jrule", {JRULE_SOURCE_DIR "/stdlib", {}}, sources, diagnostics);
+  ir::Program const program = sema::elaborate(modules, diagnostics);
+  EXPECT_FALSE(diagnostics.has_errors());
+  EXPECT_GE(program.rules.size(), 7U);
+  for (ir::RuleScheme const& rule : program.rules) {
+    EXPECT_TRUE(analysis::analyze_independence(rule, analysis::analyze(rule).plan).independent()) << rule.name;
+  }
+}
+
 TEST(Independence, ReasonsNameWhatTheyAreAbout) {
   ir::RuleScheme const rule =
       tests::program_of("modeler M on gmap(2);\nrule r on M { left { hook a <0>; b <0>; a -2- b; } right { a; b; a -2- a; b -2- b; } }").rules.at(0);
