@@ -1,0 +1,124 @@
+// Generated C++ on G-maps and O-maps. A rule whose hook's orbit can be the whole surface is applied at one dart, which
+// refines all of it at once.
+#include "subdivision.h"
+#include "surface.h"
+#include "tests/bench/peers/own.h"
+#include "topology.h"
+
+namespace jrule::bench {
+
+Counts count_cells(Map const& map, Row const& row) {
+  Counts counts{map.dart_count()};
+  if (!row.count_cells) return counts;
+  counts.cells.emplace();
+  for (int i = 0; i <= map.model().dimension; ++i) (*counts.cells)[static_cast<std::size_t>(i)] = cells(map, i).size();
+  return counts;
+}
+
+namespace {
+
+/// One column: a modeler, and how its rules are applied. Other ways to apply a rule to the whole surface, on more threads or
+/// simultaneously, are further columns: `apply` is the one place that they differ in.
+template <class Modeler>
+class Column {
+ public:
+  Column(Contest& contest, std::string name) : contest_(contest), name_(std::move(name)) {}
+
+  template <class Rule>
+  void enter(Work work, Rule rule) const {
+    contest_.enter(
+        name_, darts_per_edge, work, [originals = originals_](Row const& row) { return fresh(originals, row); },
+        [rule](Modeler& mesh) -> Modeler& {
+          apply(mesh, rule);
+          return mesh;
+        },
+        [](Modeler const& mesh, Row const& row) { return count_cells(mesh.map(), row); });
+  }
+
+  void enter_check() const {
+    contest_.enter(
+        name_, darts_per_edge, Work::check, [originals = originals_](Row const& row) { return fresh(originals, row); },
+        [](Modeler& mesh) -> Modeler& {
+          if (auto const violation = find_violation(mesh.map())) throw std::runtime_error(violation->text);
+          return mesh;
+        },
+        [](Modeler const& mesh, Row const& row) { return count_cells(mesh.map(), row); });
+  }
+
+  /// The rule at the faces of a sample in turn.
+  template <class Rule>
+  void enter_single_faces(Rule rule) const {
+    struct Sampled {
+      Modeler mesh;
+      std::vector<Dart> at;
+    };
+    contest_.enter(
+        name_, darts_per_edge, Work::single_faces,
+        [originals = originals_, rule](Row const& row) {
+          Sampled sampled{fresh(originals, row), {}};
+          for (std::uint32_t const f : sample_faces(*row.surface, single_face_count + 1)) {
+            sampled.at.push_back(row.surface->first[f] * static_cast<Dart>(darts_per_edge / 2));
+          }
+          expect(rule(sampled.mesh, sampled.at.back()));
+          sampled.at.pop_back();
+          return sampled;
+        },
+        [rule](Sampled& sampled) -> Sampled& {
+          for (Dart const d : sampled.at) expect(rule(sampled.mesh, d));
+          return sampled;
+        },
+        [](Sampled const& sampled, Row const& row) { return count_cells(sampled.mesh.map(), row); });
+  }
+
+ private:
+  static constexpr bool is_gmap = std::is_same_v<Modeler, mesh::Mesh> || std::is_same_v<Modeler, topology::Surface>;
+  static constexpr int darts_per_edge = is_gmap ? 4 : 2;
+
+  static Modeler fresh(Originals<Map> const& originals, Row const& row) {
+    auto const make = [&] { return map_of(*row.surface, Modeler::model(), Modeler::embeddings()); };
+    auto mesh = Modeler::from_map(originals(row.mesh, make));
+    expect(mesh);
+    return std::move(*mesh);
+  }
+
+  template <class Rule>
+  static void apply(Modeler& mesh, Rule rule) {
+    expect(rule(mesh, Dart{0}));
+  }
+
+  Contest& contest_;
+  std::string name_;
+  Originals<Map> originals_;
+};
+
+}  // namespace
+
+// A function as a value that templates take.
+#define RULE(FUNCTION) [](auto& mesh, Dart d) { return FUNCTION(mesh, d); }
+
+void enter_generated(Contest& contest) {
+  Column<topology::Surface>(contest, ours).enter(Work::quad, RULE(topology::quad));
+  Column<mesh::Mesh> const gmap(contest, ours);
+  gmap.enter(Work::quad_positions, RULE(surface::quad));
+  gmap.enter(Work::catmull_clark, RULE(subdivision::catmull_clark));
+  gmap.enter(Work::triangulate, RULE(surface::triangulate));
+  gmap.enter(Work::edge_vertices, RULE(surface::edge_vertices));
+  gmap.enter(Work::dual, RULE(surface::dual));
+  gmap.enter_check();
+  gmap.enter_single_faces(RULE(surface::triangulate_face));
+
+  std::string const oriented = "O-map";
+  Column<topology::Halfedges>(contest, oriented).enter(Work::quad, RULE(topology::quad_halfedges));
+  Column<mesh::HalfedgeMesh> const omap(contest, oriented);
+  omap.enter(Work::quad_positions, RULE(surface::quad_halfedges));
+  omap.enter(Work::catmull_clark, RULE(subdivision::catmull_clark_halfedges));
+  omap.enter(Work::triangulate, RULE(surface::triangulate_halfedges));
+  omap.enter(Work::edge_vertices, RULE(surface::edge_vertices_halfedges));
+  omap.enter(Work::dual, RULE(surface::dual_halfedges));
+  omap.enter_check();
+  omap.enter_single_faces(RULE(surface::triangulate_face_halfedges));
+}
+
+#undef RULE
+
+}  // namespace jrule::bench

@@ -1,0 +1,73 @@
+// What memory allows: the roofline of each row, and the first touch of pages, which costs more than the work itself where a
+// result is large.
+#include <benchmark/benchmark.h>
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+#include "tests/bench/peers/contest.h"
+
+namespace jrule::bench {
+
+void enter_copy(Contest& contest) {
+  struct Buffers {
+    std::vector<char> from, to;
+  };
+  for (Row const& row : contest.rows()) {
+    // Copying n bytes reads n and writes n.
+    auto const buffers = [](Row const& r) {
+      return Buffers{std::vector<char>(r.bytes / 2, 'x'), std::vector<char>(r.bytes / 2, 'y')};
+    };
+    auto const copy = [](Buffers& b) -> Buffers& {
+      std::memcpy(b.to.data(), b.from.data(), b.from.size());
+      benchmark::DoNotOptimize(b.to.data());
+      benchmark::ClobberMemory();
+      return b;
+    };
+    auto const count = [](Buffers&, Row const& r) { return Counts{r.darts_per_gmap, r.cells}; };
+    bool const is_first = &row == &*std::find_if(contest.rows().begin(), contest.rows().end(),
+                                                 [&](Row const& other) { return other.work == row.work; });
+    if (is_first) contest.enter(roofline, 4, row.work, buffers, copy, count);
+  }
+}
+
+namespace {
+
+// Of the arcs, handles and values of the quad subdivision of a torus of 112² or 1000² quads.
+void first_touch(benchmark::State& state, int advice) {
+  auto const n = static_cast<std::size_t>(state.range(0));
+  std::size_t const bytes = n * n * (32 * 16 + 4 * 24);
+  constexpr std::size_t huge = std::size_t{2} << 20U;
+  std::size_t const mapped = (bytes / huge + 2) * huge;
+  for (auto _ : state) {
+    void* const place = mmap(nullptr, mapped, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (place == MAP_FAILED) return state.SkipWithError("no memory");
+    if (madvise(place, mapped, advice) != 0) state.SkipWithError("the system has no pages of that size");
+    std::memset(place, 1, bytes);
+    benchmark::ClobberMemory();
+    state.PauseTiming();
+    munmap(place, mapped);
+    state.ResumeTiming();
+  }
+  state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(bytes));
+}
+BENCHMARK_CAPTURE(first_touch, 4_KiB_pages, MADV_NOHUGEPAGE)->Arg(112)->Arg(1000)->Unit(benchmark::kMillisecond)->MinTime(0.1);
+BENCHMARK_CAPTURE(first_touch, 2_MiB_pages, MADV_HUGEPAGE)->Arg(112)->Arg(1000)->Unit(benchmark::kMillisecond)->MinTime(0.1);
+
+// The same bytes again, in pages that are there.
+void second_touch(benchmark::State& state) {
+  auto const n = static_cast<std::size_t>(state.range(0));
+  std::vector<char> place(n * n * (32 * 16 + 4 * 24), 'x');
+  for (auto _ : state) {
+    std::memset(place.data(), 1, place.size());
+    benchmark::ClobberMemory();
+  }
+  state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(place.size()));
+}
+BENCHMARK(second_touch)->Arg(112)->Arg(1000)->Unit(benchmark::kMillisecond)->MinTime(0.1);
+
+}  // namespace
+
+}  // namespace jrule::bench
