@@ -13,6 +13,16 @@ std::size_t heap_bytes() {
   return info.uordblks + info.hblkhd;
 }
 
+double median(std::vector<double> seconds) {
+  auto const middle = seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2);
+  std::nth_element(seconds.begin(), middle, seconds.end());
+  return *middle;
+}
+
+std::string benchmark_name(Entry const& entry, Row const& row) {
+  return fmt::format("{}/{}/{}", row.label, row.mesh, entry.contender);
+}
+
 namespace {
 
 /// What is wrong with a result; empty if nothing is.
@@ -24,17 +34,29 @@ std::string fault(Entry const& entry, Row const& row, Counts const& counts) {
   return fmt::format("the result has {} cells, not {}", fmt::join(*counts.cells, " "), fmt::join(row.cells, " "));
 }
 
+// A cell of the table takes this long, with the making of inputs, if its first repetition does not take longer.
+constexpr double short_enough = 0.2, long_enough = 1.5;
+constexpr std::size_t few = 3, many = 200;
+
+/// Repeats until the median is steady, or it takes too long.
 void run(benchmark::State& state, Entry& entry, Row const& row) {
-  bool const counted = entry.seconds.empty();
   for (auto _ : state) {
-    Sample const sample = entry.repeat(counted && entry.seconds.empty());
-    if (counted && entry.seconds.empty()) {
-      std::string const wrong = fault(entry, row, sample.counts);
-      if (!wrong.empty()) return state.SkipWithError((entry.contender + ": " + wrong).c_str());
-      entry.bytes_per_dart = static_cast<double>(sample.heap_bytes) / static_cast<double>(sample.counts.darts);
+    auto const start = std::chrono::steady_clock::now();
+    std::vector<double> seconds;
+    for (double spent = 0; spent < short_enough || (seconds.size() < few && spent < long_enough);) {
+      bool const is_first = entry.seconds.empty() && seconds.empty();
+      Sample const sample = entry.repeat(is_first);
+      if (is_first) {
+        entry.fault = fault(entry, row, sample.counts);
+        if (!entry.fault.empty()) return state.SkipWithError(entry.fault.c_str());
+        entry.bytes_per_dart = static_cast<double>(sample.heap_bytes) / static_cast<double>(sample.counts.darts);
+      }
+      seconds.push_back(sample.seconds);
+      if (seconds.size() == many) break;
+      spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
-    entry.seconds.push_back(sample.seconds);
-    state.SetIterationTime(sample.seconds);
+    state.SetIterationTime(median(seconds));
+    entry.seconds.insert(entry.seconds.end(), seconds.begin(), seconds.end());
   }
   state.counters["bytes_per_dart"] = entry.bytes_per_dart;
   state.counters["roofline_bytes"] = static_cast<double>(row.bytes);
@@ -54,11 +76,11 @@ void Contest::add(std::string const& contender, int darts_per_edge, std::size_t 
 void Contest::register_benchmarks() {
   for (auto const& entry : entries_) {
     Row const& row = rows_[entry->row];
-    std::string const name = fmt::format("{}/{}/{}", row.label, row.mesh, entry->contender);
-    auto* const registered =
-        benchmark::RegisterBenchmark(name.c_str(), [&entry = *entry, &row](benchmark::State& s) { run(s, entry, row); });
-    // Short works are repeated until their median is steady; a long one is measured three times.
-    registered->UseManualTime()->Unit(benchmark::kMillisecond)->MinTime(row.large ? 0.01 : 0.1)->Repetitions(row.large ? 3 : 1);
+    auto const run_entry = [&entry = *entry, &row](benchmark::State& s) { run(s, entry, row); };
+    benchmark::RegisterBenchmark(benchmark_name(*entry, row).c_str(), run_entry)
+        ->UseManualTime()
+        ->Iterations(1)
+        ->Unit(benchmark::kMillisecond);
   }
 }
 

@@ -23,6 +23,9 @@ enum class Work {
   build_block, sew_block, check_block, triangulate_block
 };
 
+/// The rows that a contender takes part in: not the large ones, if it would take too long.
+enum class Size { any, small };
+
 /// How many faces Work::single_faces triangulates, one after the other, and one before, so that all is warm.
 inline constexpr std::size_t single_face_count = 10000;
 /// The block has so many hexahedra along each side.
@@ -62,8 +65,13 @@ struct Entry {
   std::function<Sample(bool count)> repeat;
   std::vector<double> seconds{};  ///< of each repetition so far
   double bytes_per_dart = 0;
+  std::string fault{};  ///< what is wrong with the result
 };
 
+/// "dual/bunny/OpenMesh", as Google Benchmark knows it.
+std::string benchmark_name(Entry const& entry, Row const& row);
+/// Precondition: not empty.
+double median(std::vector<double> seconds);
 std::size_t heap_bytes();
 
 class Contest {
@@ -77,9 +85,10 @@ class Contest {
   /// Of each row of that work: `prepare(row)` makes an input, `run(input)` is timed and returns the result (a reference to the
   /// input if the work is done in place), and `count(result, row)` counts.
   template <class Prepare, class Run, class Count>
-  void enter(std::string const& contender, int darts_per_edge, Work work, Prepare prepare, Run run, Count count) {
+  void enter(std::string const& contender, int darts_per_edge, Work work, Prepare prepare, Run run, Count count,
+             Size size = Size::any) {
     for (std::size_t r = 0; r < rows_.size(); ++r) {
-      if (rows_[r].work != work) continue;
+      if (rows_[r].work != work || (rows_[r].large && size == Size::small)) continue;
       add(contender, darts_per_edge, r, [=, &row = rows_[r]](bool counted) {
         Sample sample;
         {

@@ -46,7 +46,7 @@ void enter_rule(Contest& contest, Work work, std::string const& column, std::str
         expect(interpreter::apply(rule->scheme, rule->plan, input.map, {0}, {}, input.workspace));
         return input;
       },
-      [](Input const& input, Row const& row) { return count_cells(input.map, row); });
+      [](Input const& input, Row const& row) { return count_cells(input.map, row); }, Size::small);
 }
 
 }  // namespace

@@ -53,8 +53,8 @@ void first_touch(benchmark::State& state, int advice) {
   }
   state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(bytes));
 }
-BENCHMARK_CAPTURE(first_touch, 4_KiB_pages, MADV_NOHUGEPAGE)->Arg(112)->Arg(1000)->Unit(benchmark::kMillisecond)->MinTime(0.1);
-BENCHMARK_CAPTURE(first_touch, 2_MiB_pages, MADV_HUGEPAGE)->Arg(112)->Arg(1000)->Unit(benchmark::kMillisecond)->MinTime(0.1);
+BENCHMARK_CAPTURE(first_touch, 4_KiB_pages, MADV_NOHUGEPAGE)->Arg(112)->Arg(1000)->Unit(benchmark::kMillisecond)->MinTime(0.05)->Repetitions(3)->ReportAggregatesOnly(true);
+BENCHMARK_CAPTURE(first_touch, 2_MiB_pages, MADV_HUGEPAGE)->Arg(112)->Arg(1000)->Unit(benchmark::kMillisecond)->MinTime(0.05)->Repetitions(3)->ReportAggregatesOnly(true);
 
 // The same bytes again, in pages that are there.
 void second_touch(benchmark::State& state) {
@@ -66,7 +66,7 @@ void second_touch(benchmark::State& state) {
   }
   state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(place.size()));
 }
-BENCHMARK(second_touch)->Arg(112)->Arg(1000)->Unit(benchmark::kMillisecond)->MinTime(0.1);
+BENCHMARK(second_touch)->Arg(112)->Arg(1000)->Unit(benchmark::kMillisecond)->MinTime(0.05)->Repetitions(3)->ReportAggregatesOnly(true);
 
 }  // namespace
 

@@ -5,7 +5,6 @@
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
-#include <unordered_map>
 
 #include "jrule/io.h"
 #include "tests/smoothing/polygons.h"
@@ -16,23 +15,25 @@ namespace {
 
 /// Fills `next` and `opposite` from `first` and `vertex`.
 Surface joined(Surface s) {
+  constexpr std::uint32_t none = 0xffffffffU;
   s.next.resize(s.corner_count());
-  s.opposite.resize(s.corner_count());
-  std::unordered_map<std::uint64_t, std::uint32_t> sides;
-  sides.reserve(s.corner_count());
-  auto const side = [](std::uint64_t from, std::uint64_t to) { return from << 32U | to; };
+  s.opposite.resize(s.corner_count(), none);
+  // The corners at each vertex, in a chain.
+  std::vector<std::uint32_t> last(s.points.size(), none), before(s.corner_count());
   for (std::size_t f = 0; f < s.face_count(); ++f) {
     for (std::uint32_t c = s.first[f]; c < s.first[f + 1]; ++c) {
       s.next[c] = c + 1 < s.first[f + 1] ? c + 1 : s.first[f];
-      if (!sides.emplace(side(s.vertex[c], s.vertex[s.next[c]]), c).second) {
-        throw std::runtime_error(s.name + ": two faces have the same side");
-      }
+      before[c] = last[s.vertex[c]];
+      last[s.vertex[c]] = c;
     }
   }
   for (std::uint32_t c = 0; c < s.corner_count(); ++c) {
-    auto const other = sides.find(side(s.vertex[s.next[c]], s.vertex[c]));
-    if (other == sides.end()) throw std::runtime_error(s.name + " is not closed");
-    s.opposite[c] = other->second;
+    for (std::uint32_t other = last[s.vertex[s.next[c]]]; other != none; other = before[other]) {
+      if (s.vertex[s.next[other]] != s.vertex[c]) continue;
+      if (s.opposite[c] != none) throw std::runtime_error(s.name + ": two faces have the same side");
+      s.opposite[c] = other;
+    }
+    if (s.opposite[c] == none) throw std::runtime_error(s.name + " is not closed");
   }
   return s;
 }

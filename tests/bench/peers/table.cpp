@@ -8,12 +8,6 @@ namespace jrule::bench {
 
 namespace {
 
-double median(std::vector<double> seconds) {
-  auto const middle = seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2);
-  std::nth_element(seconds.begin(), middle, seconds.end());
-  return *middle;
-}
-
 /// Three digits.
 std::string milliseconds(double seconds) {
   double const ms = 1000 * seconds;
@@ -36,13 +30,9 @@ constexpr std::size_t label_width = 36, time_width = 9, ratio_width = 7;
 
 void TableReporter::ReportRuns(std::vector<Run> const& runs) {
   auto const entry = std::find_if(contest_.entries().begin(), contest_.entries().end(), [&](auto const& e) {
-    Row const& row = contest_.rows()[e->row];
-    return runs.front().run_name.function_name == fmt::format("{}/{}/{}", row.label, row.mesh, e->contender);
+    return runs.front().run_name.function_name == benchmark_name(*e, contest_.rows()[e->row]);
   });
   if (entry == contest_.entries().end()) return ConsoleReporter::ReportRuns(runs);
-  for (Run const& run : runs) {
-    if (run.error_occurred) faults_.push_back(run.benchmark_name() + ": " + run.error_message);
-  }
   auto const index = static_cast<std::size_t>(entry - contest_.entries().begin());
   std::size_t const last = next_ == 0 ? (*entry)->row : contest_.entries()[next_ - 1]->row;
   if (next_ != 0 && last != (*entry)->row) write_row(last);
@@ -51,7 +41,10 @@ void TableReporter::ReportRuns(std::vector<Run> const& runs) {
 
 void TableReporter::Finalize() {
   if (next_ != 0) write_row(contest_.entries()[next_ - 1]->row);
-  for (std::string const& fault : faults_) GetErrorStream() << fault << '\n';
+  for (auto const& entry : contest_.entries()) {
+    if (!entry->fault.empty()) GetErrorStream() << benchmark_name(*entry, contest_.rows()[entry->row]) << ": " << entry->fault << '\n';
+  }
+  write_memory();
   ConsoleReporter::Finalize();
 }
 
@@ -61,24 +54,26 @@ void TableReporter::write_row(std::size_t row) {
     has_header_ = true;
     out << "\nMedian times in ms, and beside them the multiple of the column " << ours
         << " (generated code); beside the roofline, the multiple of it that " << ours << " takes.\n"
-        << "x: the result is wrong. ·: not measured.\n\n"
+        << "': measured once. ·: not measured. wrong: the result is not what it should be.\n\n"
         << padded("", label_width, true);
     for (std::string const& contender : contest_.contenders()) out << padded(contender, time_width + ratio_width);
     out << '\n';
   }
   auto const find = [&](std::string const& contender) -> Entry const* {
     for (auto const& entry : contest_.entries()) {
-      if (entry->row == row && entry->contender == contender && !entry->seconds.empty()) return entry.get();
+      if (entry->row == row && entry->contender == contender) return entry.get();
     }
     return nullptr;
   };
-  Entry const* const own = find(ours);
+  Entry const* own = find(ours);
+  if (own != nullptr && own->seconds.empty()) own = nullptr;
   Row const& r = contest_.rows()[row];
   out << padded(r.label + ", " + r.mesh, label_width, true);
   for (std::string const& contender : contest_.contenders()) {
     Entry const* const entry = find(contender);
-    if (entry == nullptr) {
-      out << padded("·", time_width) << padded("", ratio_width);
+    if (entry == nullptr || entry->seconds.empty()) {
+      bool const is_wrong = entry != nullptr && !entry->fault.empty();
+      out << padded(is_wrong ? "wrong" : "·", time_width) << padded("", ratio_width);
       continue;
     }
     double const time = median(entry->seconds);
@@ -87,9 +82,34 @@ void TableReporter::write_row(std::size_t row) {
       double const mine = median(own->seconds);
       beside = contender == roofline ? ratio(mine / time) : ratio(time / mine);
     }
-    out << padded(milliseconds(time), time_width) << padded(beside, ratio_width);
+    out << padded(milliseconds(time) + (entry->seconds.size() == 1 ? "'" : ""), time_width) << padded(beside, ratio_width);
   }
   out << '\n' << std::flush;
+}
+
+/// What the largest subdivided mesh takes that was measured.
+void TableReporter::write_memory() {
+  auto const of_row = [&](std::size_t row, std::string const& contender) -> Entry const* {
+    for (auto const& entry : contest_.entries()) {
+      if (entry->row == row && entry->contender == contender && entry->bytes_per_dart > 0) return entry.get();
+    }
+    return nullptr;
+  };
+  for (std::size_t row = contest_.rows().size(); row-- > 0;) {
+    Row const& r = contest_.rows()[row];
+    if (r.work != Work::quad_positions || of_row(row, ours) == nullptr) continue;
+    std::ostream& out = GetOutputStream();
+    out << "\nBytes on the heap of the result of " << r.label << ", " << r.mesh << ", of an edge and (of a dart or halfedge):\n"
+        << padded("", label_width, true);
+    for (std::string const& contender : contest_.contenders()) {
+      Entry const* const entry = contender == roofline ? nullptr : of_row(row, contender);
+      double const dart = entry == nullptr ? 0 : entry->bytes_per_dart;
+      out << padded(entry == nullptr ? "·" : fmt::format("{:.0f}", dart * entry->darts_per_edge), time_width)
+          << padded(entry == nullptr ? "" : fmt::format("({:.0f})", dart), ratio_width);
+    }
+    out << '\n';
+    return;
+  }
 }
 
 }  // namespace jrule::bench

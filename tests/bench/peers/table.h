@@ -18,11 +18,11 @@ class TableReporter : public benchmark::ConsoleReporter {
 
  private:
   void write_row(std::size_t row);
+  void write_memory();
 
   Contest const& contest_;
   std::size_t next_ = 0;  ///< the entry that is measured next, or a later one if words of the command line leave it out
   bool has_header_ = false;
-  std::vector<std::string> faults_;
 };
 
 }  // namespace jrule::bench
