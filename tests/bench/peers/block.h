@@ -10,7 +10,8 @@ template <class Call>
 void for_each_cube(Call call) {
   for (std::size_t z = 0; z < block_side; ++z) {
     for (std::size_t y = 0; y < block_side; ++y) {
-      for (std::size_t x = 0; x < block_side; ++x) call(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
+      for (std::size_t x = 0; x < block_side; ++x)
+        call(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
     }
   }
 }

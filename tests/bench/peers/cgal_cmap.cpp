@@ -24,10 +24,14 @@ struct Maps {
     }
   }
   template <class Map>
-  static auto turned(Map&, cgal::Handle<Map> d) { return d; }
+  static auto turned(Map&, cgal::Handle<Map> d) {
+    return d;
+  }
   /// `b` starts where `a` ends.
   template <class Map>
-  static void sew_faces(Map& map, cgal::Handle<Map> a, cgal::Handle<Map> b) { map.template sew<3>(a, b); }
+  static void sew_faces(Map& map, cgal::Handle<Map> a, cgal::Handle<Map> b) {
+    map.template sew<3>(a, b);
+  }
 };
 
 }  // namespace

@@ -30,10 +30,14 @@ struct Maps {
   }
   /// The dart of the same corner of the face that looks the other way round.
   template <class Map>
-  static auto turned(Map& map, cgal::Handle<Map> d) { return map.template alpha<1>(d); }
+  static auto turned(Map& map, cgal::Handle<Map> d) {
+    return map.template alpha<1>(d);
+  }
   /// `b` starts where `a` ends.
   template <class Map>
-  static void sew_faces(Map& map, cgal::Handle<Map> a, cgal::Handle<Map> b) { map.template sew<3>(a, map.template alpha<0>(b)); }
+  static void sew_faces(Map& map, cgal::Handle<Map> a, cgal::Handle<Map> b) {
+    map.template sew<3>(a, map.template alpha<0>(b));
+  }
 };
 
 }  // namespace

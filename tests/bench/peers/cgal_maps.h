@@ -1,5 +1,5 @@
-// CGAL's Combinatorial_map and Generalized_map, which have one interface but for where darts start: the same code for both.
-// `Maps` names the classes: Bare, of dimension 2 without values, and Surface and Solid, linear cell complexes.
+// CGAL's Combinatorial_map and Generalized_map, which have one interface but for where darts start: the same code for
+// both. `Maps` names the classes: Bare, of dimension 2 without values, and Surface and Solid, linear cell complexes.
 #pragma once
 
 #include <CGAL/Simple_cartesian.h>
@@ -19,7 +19,9 @@ using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
 
 template <class Map>
-constexpr bool has_points = requires { typename Map::Vertex_attribute_handle; };
+constexpr bool has_points = requires {
+  typename Map::Vertex_attribute_handle;
+};
 
 template <class Map>
 using Handle = typename Map::Dart_handle;
@@ -66,9 +68,9 @@ Counts count(Map const& map, Row const& row) {
   return counts;
 }
 
-/// Splits the n-gon of a dart, whose every second vertex is the middle of an edge, into n / 2 quads: an edge from the first
-/// middle to the second, its middle becomes the centre, and from there an edge to each further middle. The dart starts at a
-/// corner.
+/// Splits the n-gon of a dart, whose every second vertex is the middle of an edge, into n / 2 quads: an edge from the
+/// first middle to the second, its middle becomes the centre, and from there an edge to each further middle. The dart
+/// starts at a corner.
 template <class Maps, class Map, class InsertCentre>
 void cut_into_quads(Map& map, Handle<Map> corner, std::vector<Handle<Map>>& middles, InsertCentre insert_centre) {
   middles.clear();
@@ -98,7 +100,8 @@ void subdivide(Input<Map>& input) {
     }
   } else {
     for (auto const e : input.edge) map.insert_cell_0_in_cell_1(e);
-    for (auto const f : input.face) cut_into_quads<Maps>(map, f, middles, [&](auto d) { map.insert_cell_0_in_cell_1(d); });
+    for (auto const f : input.face)
+      cut_into_quads<Maps>(map, f, middles, [&](auto d) { map.insert_cell_0_in_cell_1(d); });
   }
 }
 
@@ -141,7 +144,9 @@ void enter_surfaces(Contest& contest, std::string const& name) {
   auto const prepare = [](Row const& row) { return make<Maps, Map>(*row.surface); };
   auto const counted = [](auto& input, Row const& row) { return count<Maps>(*input.map, row); };
   auto const enter = [&](Work work, auto make_input, auto run) {
-    contest.enter(name, Maps::darts_per_edge, work, make_input, [run](auto& input) -> auto& { return run(input), input; }, counted);
+    contest.enter(
+        name, Maps::darts_per_edge, work, make_input, [run](auto& input) -> auto& { return run(input), input; },
+        counted);
   };
   enter(Work::quad, prepare_bare, [](Input<Bare>& in) { subdivide<Maps>(in); });
   enter(Work::quad_positions, prepare, [](Input<Map>& in) { subdivide<Maps>(in); });
@@ -163,19 +168,20 @@ void enter_surfaces(Contest& contest, std::string const& name) {
         return dual;
       },
       counted);
-  enter(Work::single_faces,
-        [](Row const& row) {
-          Input<Map> in = make<Maps, Map>(*row.surface);
-          std::vector<Handle<Map>> sampled;
-          for (std::uint32_t const f : sample_faces(*row.surface, single_face_count + 1)) sampled.push_back(in.face[f]);
-          in.map->template insert_barycenter_in_cell<2>(sampled.back());
-          sampled.pop_back();
-          in.face = std::move(sampled);
-          return in;
-        },
-        [](Input<Map>& in) {
-          for (auto const f : in.face) in.map->template insert_barycenter_in_cell<2>(f);
-        });
+  enter(
+      Work::single_faces,
+      [](Row const& row) {
+        Input<Map> in = make<Maps, Map>(*row.surface);
+        std::vector<Handle<Map>> sampled;
+        for (std::uint32_t const f : sample_faces(*row.surface, single_face_count + 1)) sampled.push_back(in.face[f]);
+        in.map->template insert_barycenter_in_cell<2>(sampled.back());
+        sampled.pop_back();
+        in.face = std::move(sampled);
+        return in;
+      },
+      [](Input<Map>& in) {
+        for (auto const f : in.face) in.map->template insert_barycenter_in_cell<2>(f);
+      });
 }
 
 /// A block of cubes; a dart of each.
@@ -190,8 +196,8 @@ Block<Map> build_block() {
   Block<Map> block;
   for_each_cube([&](double x, double y, double z) {
     auto const p = [&](int i, int j, int k) { return Point(x + i, y + j, z + k); };
-    block.cube.push_back(block.map->make_hexahedron(p(0, 0, 0), p(1, 0, 0), p(1, 1, 0), p(0, 1, 0), p(0, 1, 1), p(0, 0, 1),
-                                                    p(1, 0, 1), p(1, 1, 1)));
+    block.cube.push_back(block.map->make_hexahedron(p(0, 0, 0), p(1, 0, 0), p(1, 1, 0), p(0, 1, 0), p(0, 1, 1),
+                                                    p(0, 0, 1), p(1, 0, 1), p(1, 1, 1)));
   });
   return block;
 }
@@ -259,10 +265,12 @@ void enter_blocks(Contest& contest, std::string const& name) {
     return block;
   };
   auto const enter = [&](Work work, auto prepare, auto run) {
-    contest.enter(name, Maps::darts_per_edge, work, prepare, [run](auto& block) -> auto& { return run(block), block; }, counted);
+    contest.enter(
+        name, Maps::darts_per_edge, work, prepare, [run](auto& block) -> auto& { return run(block), block; }, counted);
   };
-  contest.enter(name, Maps::darts_per_edge, Work::build_block, [](Row const&) { return 0; },
-                [](int) { return build_block<Map>(); }, counted);
+  contest.enter(
+      name, Maps::darts_per_edge, Work::build_block, [](Row const&) { return 0; },
+      [](int) { return build_block<Map>(); }, counted);
   enter(Work::sew_block, built, [](Block<Map>& b) { sew_block<Maps>(b); });
   enter(Work::check_block, sewn, [](Block<Map>& b) {
     if (!b.map->is_valid()) throw std::runtime_error("CGAL finds the map not valid");

@@ -68,7 +68,8 @@ void subdivide(Mesh& mesh, bool with_points) {
     for (auto const h : mesh.halfedges_around_face(mesh.halfedge(Mesh::Face_index(f)))) {
       if (mesh.target(h) >= Mesh::Vertex_index(static_cast<std::uint32_t>(corners))) middles.push_back(h);
     }
-    // An edge from the first middle to the second, its middle becomes the centre; from there one to each further middle.
+    // An edge from the first middle to the second, its middle becomes the centre; from there one to each further
+    // middle.
     auto const to_centre = euler::split_edge(euler::split_face(middles[0], middles[1], mesh), mesh);
     for (std::size_t k = 2; k < middles.size(); ++k) euler::split_face(to_centre, middles[k], mesh);
     if (with_points) mesh.point(mesh.target(to_centre)) = centres[f];
@@ -109,7 +110,8 @@ void enter_cgal_surface_mesh(Contest& contest) {
     return Mesh(originals(row.mesh, [&] { return make(*row.surface); }));
   };
   auto const enter = [&](Work work, auto run) {
-    contest.enter(name, 2, work, prepare, [run](Mesh& mesh) -> Mesh& { return run(mesh), mesh; }, count);
+    contest.enter(
+        name, 2, work, prepare, [run](Mesh& mesh) -> Mesh& { return run(mesh), mesh; }, count);
   };
   enter(Work::quad, [](Mesh& mesh) { subdivide(mesh, false); });
   enter(Work::quad_positions, [](Mesh& mesh) { subdivide(mesh, true); });
@@ -124,7 +126,8 @@ void enter_cgal_surface_mesh(Contest& contest) {
   enter(Work::check, [](Mesh& mesh) {
     if (!mesh.is_valid(false)) throw std::runtime_error("Surface_mesh is not valid");
   });
-  contest.enter(name, 2, Work::dual, prepare, [](Mesh& mesh) { return dual(mesh); }, count);
+  contest.enter(
+      name, 2, Work::dual, prepare, [](Mesh& mesh) { return dual(mesh); }, count);
   contest.enter(
       name, 2, Work::single_faces,
       [prepare](Row const& row) {

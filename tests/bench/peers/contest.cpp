@@ -66,7 +66,8 @@ void run(benchmark::State& state, Entry& entry, Row const& row) {
 
 void Contest::add(std::string const& contender, int darts_per_edge, std::size_t row,
                   std::function<Sample(bool)> repeat) {
-  if (std::find(contenders_.begin(), contenders_.end(), contender) == contenders_.end()) contenders_.push_back(contender);
+  if (std::find(contenders_.begin(), contenders_.end(), contender) == contenders_.end())
+    contenders_.push_back(contender);
   auto entry = std::make_unique<Entry>(Entry{contender, row, darts_per_edge, std::move(repeat)});
   auto const behind = std::upper_bound(entries_.begin(), entries_.end(), row,
                                        [](std::size_t r, auto const& other) { return r < other->row; });

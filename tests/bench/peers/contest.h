@@ -1,7 +1,7 @@
 // What is measured and by whom: rows (a work on a mesh) and contenders, each at the rows that it can do.
 //
-// A repetition makes a fresh input, runs the work on it, and counts what came out. Only the run is timed: no contender pays
-// for its copy of the input, and each pays for the memory that it asks for.
+// A repetition makes a fresh input, runs the work on it, and counts what came out. Only the run is timed: no contender
+// pays for its copy of the input, and each pays for the memory that it asks for.
 #pragma once
 
 #include <array>
@@ -19,8 +19,18 @@
 namespace jrule::bench {
 
 enum class Work {
-  quad, quad_positions, catmull_clark, triangulate, edge_vertices, dual, check, single_faces,
-  build_block, sew_block, check_block, triangulate_block
+  quad,
+  quad_positions,
+  catmull_clark,
+  triangulate,
+  edge_vertices,
+  dual,
+  check,
+  single_faces,
+  build_block,
+  sew_block,
+  check_block,
+  triangulate_block
 };
 
 /// The rows that a contender takes part in: not the large ones, if it would take too long.
@@ -40,14 +50,14 @@ struct Counts {
 /// One row of the table.
 struct Row {
   Work work;
-  std::string label;                  ///< "quads, positions"
-  std::string mesh;                   ///< "torus 1000²"
+  std::string label;                       ///< "quads, positions"
+  std::string mesh;                        ///< "torus 1000²"
   std::shared_ptr<Surface const> surface;  ///< none of a block
-  std::array<std::size_t, 4> cells;   ///< that the result must have
-  std::size_t darts_per_gmap = 0;     ///< that the result must have as a G-map
-  std::size_t bytes = 0;              ///< that must move: see rows.cpp
+  std::array<std::size_t, 4> cells;        ///< that the result must have
+  std::size_t darts_per_gmap = 0;          ///< that the result must have as a G-map
+  std::size_t bytes = 0;                   ///< that must move: see rows.cpp
   bool large = false;
-  bool count_cells = true;                 ///< of a large result only where no smaller one shows that the work is done right
+  bool count_cells = true;  ///< of a large result only where no smaller one shows that the work is done right
 };
 
 /// What one repetition came to.
@@ -82,8 +92,8 @@ class Contest {
   std::vector<std::string> const& contenders() const { return contenders_; }
   std::vector<std::unique_ptr<Entry>> const& entries() const { return entries_; }
 
-  /// Of each row of that work: `prepare(row)` makes an input, `run(input)` is timed and returns the result (a reference to the
-  /// input if the work is done in place), and `count(result, row)` counts.
+  /// Of each row of that work: `prepare(row)` makes an input, `run(input)` is timed and returns the result (a reference
+  /// to the input if the work is done in place), and `count(result, row)` counts.
   template <class Prepare, class Run, class Count>
   void enter(std::string const& contender, int darts_per_edge, Work work, Prepare prepare, Run run, Count count,
              Size size = Size::any) {

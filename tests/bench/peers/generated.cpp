@@ -17,8 +17,8 @@ Counts count_cells(Map const& map, Row const& row) {
 
 namespace {
 
-/// One column: a modeler, and how its rules are applied. Other ways to apply a rule to the whole surface, on more threads or
-/// simultaneously, are further columns: `apply` is the one place that they differ in.
+/// One column: a modeler, and how its rules are applied. Other ways to apply a rule to the whole surface, on more
+/// threads or simultaneously, are further columns: `apply` is the one place that they differ in.
 template <class Modeler>
 class Column {
  public:

@@ -1,6 +1,5 @@
 // Generated C++ on 3-G-maps: a block of cubes.
 #include "solid.h"
-
 #include "tests/bench/peers/block.h"
 #include "tests/bench/peers/own.h"
 
@@ -76,8 +75,10 @@ void enter_generated_solid(Contest& contest) {
       return std::move(*solid);
     };
   };
-  contest.enter(ours, 4, Work::build_block, [](Row const&) { return 0; }, [](int) { return build(); }, counted);
-  contest.enter(ours, 4, Work::sew_block, prepare(false), [](Solid& s) -> Solid& { return sew(s); }, counted);
+  contest.enter(
+      ours, 4, Work::build_block, [](Row const&) { return 0; }, [](int) { return build(); }, counted);
+  contest.enter(
+      ours, 4, Work::sew_block, prepare(false), [](Solid& s) -> Solid& { return sew(s); }, counted);
   contest.enter(
       ours, 4, Work::check_block, prepare(true),
       [](Solid& s) -> Solid& {

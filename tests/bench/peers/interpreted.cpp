@@ -16,7 +16,8 @@ struct AcceptedRule {
 std::shared_ptr<AcceptedRule const> load(std::string const& path, std::string const& name) {
   source::Sources sources;
   source::Diagnostics diagnostics;
-  sema::Modules const modules = sema::load(JRULE_SOURCE_DIR + path, {JRULE_SOURCE_DIR "/stdlib", {}}, sources, diagnostics);
+  sema::Modules const modules =
+      sema::load(JRULE_SOURCE_DIR + path, {JRULE_SOURCE_DIR "/stdlib", {}}, sources, diagnostics);
   ir::Program program = sema::elaborate(modules, diagnostics);
   for (ir::RuleScheme& scheme : program.rules) {
     if (scheme.name != name) continue;
@@ -32,8 +33,8 @@ struct Input {
   rewrite::Workspace workspace;
 };
 
-void enter_rule(Contest& contest, Work work, std::string const& column, std::string const& path, std::string const& name,
-                Originals<Map> const& originals) {
+void enter_rule(Contest& contest, Work work, std::string const& column, std::string const& path,
+                std::string const& name, Originals<Map> const& originals) {
   auto const rule = load(path, name);
   bool const halfedges = rule->scheme.model().is_oriented(1);
   contest.enter(

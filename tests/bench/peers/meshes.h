@@ -12,8 +12,8 @@
 
 namespace jrule::bench {
 
-/// A closed oriented surface. Corner c of a face begins the side that leads to corner next[c]; opposite[c] begins the same
-/// side in the neighbouring face, the other way round.
+/// A closed oriented surface. Corner c of a face begins the side that leads to corner next[c]; opposite[c] begins the
+/// same side in the neighbouring face, the other way round.
 struct Surface {
   std::string name;
   std::vector<Point3> points;           ///< by vertex

@@ -59,9 +59,11 @@ void subdivide(Mesh& mesh, bool with_points) {
       if (mesh.to_vertex_handle(h).idx() >= corners) middles.push_back(h);
       h = mesh.next_halfedge_handle(h);
     } while (h != start);
-    // An edge from the second middle to the first, its middle becomes the centre; from each further middle one to there.
+    // An edge from the second middle to the first, its middle becomes the centre; from each further middle one to
+    // there.
     Mesh::HalfedgeHandle const cut = mesh.insert_edge(middles[1], mesh.next_halfedge_handle(middles[0]));
-    mesh.split_edge(mesh.edge_handle(cut), mesh.add_vertex(with_points ? centres[static_cast<std::size_t>(f)] : origin));
+    mesh.split_edge(mesh.edge_handle(cut),
+                    mesh.add_vertex(with_points ? centres[static_cast<std::size_t>(f)] : origin));
     Mesh::HalfedgeHandle const to_centre = mesh.next_halfedge_handle(middles[0]);
     for (std::size_t k = 2; k < middles.size(); ++k) mesh.insert_edge(middles[k], mesh.next_halfedge_handle(to_centre));
   }
@@ -82,7 +84,8 @@ void enter_openmesh(Contest& contest) {
     return Mesh(originals(row.mesh, [&] { return make(*row.surface); }));
   };
   auto const enter = [&](Work work, auto run) {
-    contest.enter(name, 2, work, prepare, [run](Mesh& mesh) -> Mesh& { return run(mesh), mesh; }, count);
+    contest.enter(
+        name, 2, work, prepare, [run](Mesh& mesh) -> Mesh& { return run(mesh), mesh; }, count);
   };
   enter(Work::quad, [](Mesh& mesh) { subdivide(mesh, false); });
   enter(Work::quad_positions, [](Mesh& mesh) { subdivide(mesh, true); });

@@ -56,7 +56,8 @@ Counts count(Refined const& mesh, Row const&) {
   far::TopologyLevel const& level = mesh.refiner->GetLevel(1);
   auto const size = [](int n) { return static_cast<std::size_t>(n); };
   return {2 * size(level.GetNumEdges()),
-          std::array<std::size_t, 4>{size(level.GetNumVertices()), size(level.GetNumEdges()), size(level.GetNumFaces()), 0}};
+          std::array<std::size_t, 4>{size(level.GetNumVertices()), size(level.GetNumEdges()), size(level.GetNumFaces()),
+                                     0}};
 }
 
 }  // namespace

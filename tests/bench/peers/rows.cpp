@@ -36,7 +36,9 @@ std::size_t size(std::size_t darts, std::size_t dimensions, std::optional<std::s
 
 Row row(Work work, std::shared_ptr<Surface const> const& surface) {
   std::size_t const v = surface->points.size(), c = surface->corner_count(), e = c / 2, f = surface->face_count();
-  Row row{work, label(work), surface->name, surface, {v, e, f, 0}, 4 * e, 0, f >= 200000, f < 200000 || work == Work::single_faces};
+  Row row{work,    label(work),  surface->name,
+          surface, {v, e, f, 0}, 4 * e,
+          0,       f >= 200000,  f < 200000 || work == Work::single_faces};
   auto const input = [&](bool positions) { return size(4 * e, 3, positions ? std::optional(v) : std::nullopt); };
   switch (work) {
     case Work::quad:
@@ -72,7 +74,8 @@ Row row(Work work, std::shared_ptr<Surface const> const& surface) {
 Row block_row(Work work) {
   constexpr std::size_t n = block_side, hexahedra = n * n * n, faces = 3 * n * n * (n + 1);
   Row row{work, label(work), std::to_string(n) + "³ cubes", {}, {}, 48 * hexahedra, 0, true, true};
-  std::size_t const values = work == Work::build_block || work == Work::sew_block ? 8 * hexahedra : (n + 1) * (n + 1) * (n + 1);
+  std::size_t const values =
+      work == Work::build_block || work == Work::sew_block ? 8 * hexahedra : (n + 1) * (n + 1) * (n + 1);
   std::size_t const unrefined = size(row.darts_per_gmap, 4, values);
   row.cells = {(n + 1) * (n + 1) * (n + 1), 3 * n * (n + 1) * (n + 1), faces, hexahedra};
   row.bytes = unrefined;  // written by build, read by check
@@ -92,7 +95,8 @@ Row block_row(Work work) {
 std::vector<Row> rows() {
   auto const small = std::make_shared<Surface const>(torus(112));
   auto const large = std::make_shared<Surface const>(torus(1000));
-  auto const bunny = std::make_shared<Surface const>(read_surface("bunny", JRULE_SOURCE_DIR "/examples/data/bunny.obj"));
+  auto const bunny =
+      std::make_shared<Surface const>(read_surface("bunny", JRULE_SOURCE_DIR "/examples/data/bunny.obj"));
   std::vector<Row> all;
   for (Work const work : {Work::quad, Work::quad_positions, Work::catmull_clark, Work::triangulate, Work::edge_vertices,
                           Work::dual, Work::check}) {

@@ -42,7 +42,8 @@ void TableReporter::ReportRuns(std::vector<Run> const& runs) {
 void TableReporter::Finalize() {
   if (next_ != 0) write_row(contest_.entries()[next_ - 1]->row);
   for (auto const& entry : contest_.entries()) {
-    if (!entry->fault.empty()) GetErrorStream() << benchmark_name(*entry, contest_.rows()[entry->row]) << ": " << entry->fault << '\n';
+    if (!entry->fault.empty())
+      GetErrorStream() << benchmark_name(*entry, contest_.rows()[entry->row]) << ": " << entry->fault << '\n';
   }
   write_memory();
   ConsoleReporter::Finalize();
@@ -82,7 +83,8 @@ void TableReporter::write_row(std::size_t row) {
       double const mine = median(own->seconds);
       beside = contender == roofline ? ratio(mine / time) : ratio(time / mine);
     }
-    out << padded(milliseconds(time) + (entry->seconds.size() == 1 ? "'" : ""), time_width) << padded(beside, ratio_width);
+    out << padded(milliseconds(time) + (entry->seconds.size() == 1 ? "'" : ""), time_width)
+        << padded(beside, ratio_width);
   }
   out << '\n' << std::flush;
 }
@@ -99,7 +101,8 @@ void TableReporter::write_memory() {
     Row const& r = contest_.rows()[row];
     if (r.work != Work::quad_positions || of_row(row, ours) == nullptr) continue;
     std::ostream& out = GetOutputStream();
-    out << "\nBytes on the heap of the result of " << r.label << ", " << r.mesh << ", of an edge and (of a dart or halfedge):\n"
+    out << "\nBytes on the heap of the result of " << r.label << ", " << r.mesh
+        << ", of an edge and (of a dart or halfedge):\n"
         << padded("", label_width, true);
     for (std::string const& contender : contest_.contenders()) {
       Entry const* const entry = contender == roofline ? nullptr : of_row(row, contender);

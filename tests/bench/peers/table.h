@@ -1,4 +1,5 @@
-// The table of the contest, written row by row as the rows are measured; other benchmarks as Google Benchmark writes them.
+// The table of the contest, written row by row as the rows are measured; other benchmarks as Google Benchmark writes
+// them.
 #pragma once
 
 #include <benchmark/benchmark.h>
