@@ -74,6 +74,13 @@ void Contest::add(std::string const& contender, int darts_per_edge, std::size_t 
   entries_.insert(behind, std::move(entry));
 }
 
+Entry const* Contest::find(std::size_t row, std::string const& contender) const {
+  for (auto const& entry : entries_) {
+    if (entry->row == row && entry->contender == contender) return entry.get();
+  }
+  return nullptr;
+}
+
 void Contest::register_benchmarks() {
   for (auto const& entry : entries_) {
     Row const& row = rows_[entry->row];

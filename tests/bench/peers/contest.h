@@ -91,6 +91,8 @@ class Contest {
   std::vector<Row> const& rows() const { return rows_; }
   std::vector<std::string> const& contenders() const { return contenders_; }
   std::vector<std::unique_ptr<Entry>> const& entries() const { return entries_; }
+  /// Null if that contender does not take part in that row.
+  Entry const* find(std::size_t row, std::string const& contender) const;
 
   /// Of each row of that work: `prepare(row)` makes an input, `run(input)` is timed and returns the result (a reference
   /// to the input if the work is done in place), and `count(result, row)` counts.

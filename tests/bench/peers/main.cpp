@@ -2,6 +2,7 @@
 // --benchmark_format=json or csv it writes all of them.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <string_view>
@@ -52,7 +53,9 @@ int main(int argc, char** argv) try {
   TableReporter table(entered);
   benchmark::RunSpecifiedBenchmarks(console ? &table : nullptr);
   benchmark::Shutdown();
-  return 0;
+  bool const all_right = std::all_of(entered.entries().begin(), entered.entries().end(),
+                                     [](auto const& entry) { return entry->fault.empty(); });
+  return all_right ? 0 : 1;
 } catch (std::exception const& error) {
   std::cerr << "jrule_bench: " << error.what() << '\n';
   return 1;

@@ -60,18 +60,12 @@ void TableReporter::write_row(std::size_t row) {
     for (std::string const& contender : contest_.contenders()) out << padded(contender, time_width + ratio_width);
     out << '\n';
   }
-  auto const find = [&](std::string const& contender) -> Entry const* {
-    for (auto const& entry : contest_.entries()) {
-      if (entry->row == row && entry->contender == contender) return entry.get();
-    }
-    return nullptr;
-  };
-  Entry const* own = find(ours);
+  Entry const* own = contest_.find(row, ours);
   if (own != nullptr && own->seconds.empty()) own = nullptr;
   Row const& r = contest_.rows()[row];
   out << padded(r.label + ", " + r.mesh, label_width, true);
   for (std::string const& contender : contest_.contenders()) {
-    Entry const* const entry = find(contender);
+    Entry const* const entry = contest_.find(row, contender);
     if (entry == nullptr || entry->seconds.empty()) {
       bool const is_wrong = entry != nullptr && !entry->fault.empty();
       out << padded(is_wrong ? "wrong" : "·", time_width) << padded("", ratio_width);
@@ -91,11 +85,9 @@ void TableReporter::write_row(std::size_t row) {
 
 /// What the largest subdivided mesh takes that was measured.
 void TableReporter::write_memory() {
-  auto const of_row = [&](std::size_t row, std::string const& contender) -> Entry const* {
-    for (auto const& entry : contest_.entries()) {
-      if (entry->row == row && entry->contender == contender && entry->bytes_per_dart > 0) return entry.get();
-    }
-    return nullptr;
+  auto const of_row = [&](std::size_t row, std::string const& contender) {
+    Entry const* const entry = contest_.find(row, contender);
+    return entry != nullptr && entry->bytes_per_dart > 0 ? entry : nullptr;
   };
   for (std::size_t row = contest_.rows().size(); row-- > 0;) {
     Row const& r = contest_.rows()[row];
