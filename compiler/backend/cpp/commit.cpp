@@ -17,11 +17,34 @@ std::string times(std::size_t count, std::string const& size) {
   return count == 1 ? size : fmt::format("{} * {}", count, size);
 }
 
-bool visits_orbits(Function const& f) {
-  for (auto const& component : f.plan.orbits) {
-    if (component.kind == Kind::assign || component.kind == Kind::merge) return true;
+// Do all arcs of the component's orbits lie on the right side? Then the orbits are its members, and reach nothing else.
+bool is_closed(Function const& f, analysis::OrbitComponent const& component) {
+  ir::Table const table(f.rule.nodes.size(), f.rule.right);
+  for (auto const& member : component.members) {
+    for (Word const& word : f.spec(component.embedding).orbit.words) {
+      ir::NodeId at = member.node;
+      for (Letter const letter : word) {
+        ir::Arc const* const arc = letter.conjugate ? table.in(at, letter.dimension) : table.out(at, letter.dimension);
+        if (arc == nullptr) return false;
+        at = letter.conjugate ? arc->source : arc->target;
+      }
+    }
   }
-  return false;
+  return true;
+}
+
+// Has the application to walk its orbits, to find which darts get the value?
+bool is_walked(Function const& f, analysis::OrbitComponent const& component) {
+  return component.kind == Kind::merge || (component.kind == Kind::assign && !is_closed(f, component));
+}
+
+bool visits_orbits(Function const& f) {
+  return std::any_of(f.plan.orbits.begin(), f.plan.orbits.end(), [&](auto const& component) { return is_walked(f, component); });
+}
+
+bool overwrites_values(Function const& f) {
+  return std::any_of(f.plan.orbits.begin(), f.plan.orbits.end(),
+                     [](auto const& component) { return component.kind == Kind::assign || component.kind == Kind::merge; });
 }
 
 void write_reserve(Writer& out, Function const& f) {
@@ -83,7 +106,7 @@ void write_views_of_map(Writer& out, Function const& f) {
   }
   for (std::size_t e = 0; e < f.embeddings.size(); ++e) {
     bool const written = std::any_of(f.plan.orbits.begin(), f.plan.orbits.end(), [&](auto const& c) {
-      return c.embedding == e && (c.kind == Kind::fresh || c.kind == Kind::inherit);
+      return c.embedding == e && !is_walked(f, c);
     });
     if (written) out.line("jrule::Handle* const {} = {}.handles_of_darts();", f.dart_handles[e], f.embeddings[e]);
   }
@@ -128,33 +151,29 @@ void write_handles(Writer& out, Function const& f, std::size_t c) {
   auto const& component = f.plan.orbits[c];
   std::string const handle =
       component.kind == Kind::fresh && !component.clause ? f.handles[c] : fmt::format("{}[{}]", f.handles[c], f.index);
-  ir::NodeId const root = component.members.front().node;
-  switch (component.kind) {
-    case Kind::fresh:
-      for (auto const& member : component.members) {
-        out.line("{} {}[{}] = {};", f.loop(), f.dart_handles[component.embedding], f.dart(member.node, member.path), handle);
-      }
-      return;
-    case Kind::inherit:
-      for (std::size_t i = 0; i < component.sources.size(); ++i) {
-        auto const& source = component.sources[i];
-        // Matched darts still have their handles; where a walk led from them, it led before the arcs changed.
-        std::string const value = source.tail.empty()
-                                      ? fmt::format("{}[{}]", f.dart_handles[component.embedding], f.dart(source.preserved, source.word))
-                                      : fmt::format("{}[{}]", f.inherited[c][i], f.index);
-        out.line("{} {}[{}] = {};", f.loop(), f.dart_handles[component.embedding], f.dart(source.added), value);
-      }
-      return;
-    case Kind::assign:
-    case Kind::merge: {
-      std::string const value = component.kind == Kind::assign ? handle + ", " : "";
-      out.open("{} {{", f.loop());
-      out.line("{}jrule::rewrite::{}_orbit({}, {}, {}, {}{});", if_first(f, component),
-               component.kind == Kind::assign ? "assign" : "merge", f.map, component.embedding, f.dart(root), value,
-               f.workspace);
-      out.close();
-      return;
+  if (component.kind == Kind::inherit) {
+    for (std::size_t i = 0; i < component.sources.size(); ++i) {
+      auto const& source = component.sources[i];
+      // Matched darts still have their handles; where a walk led from them, it led before the arcs changed.
+      std::string const value = source.tail.empty()
+                                    ? fmt::format("{}[{}]", f.dart_handles[component.embedding], f.dart(source.preserved, source.word))
+                                    : fmt::format("{}[{}]", f.inherited[c][i], f.index);
+      out.line("{} {}[{}] = {};", f.loop(), f.dart_handles[component.embedding], f.dart(source.added), value);
     }
+  } else if (is_walked(f, component)) {
+    std::string const value = component.kind == Kind::assign ? handle + ", " : "";
+    out.open("{} {{", f.loop());
+    out.line("{}jrule::rewrite::{}_orbit({}, {}, {}, {}{});", if_first(f, component),
+             component.kind == Kind::assign ? "assign" : "merge", f.map, component.embedding, f.dart(component.members.front().node), value,
+             f.workspace);
+    out.close();
+  } else {
+    std::size_t overwritten = 0;
+    for (auto const& member : component.members) {
+      if (!f.node(member.node).added()) ++overwritten;
+      out.line("{} {}[{}] = {};", f.loop(), f.dart_handles[component.embedding], f.dart(member.node, member.path), handle);
+    }
+    if (overwritten != 0) out.line("{}.count_overwritten({});", f.embeddings[component.embedding], times(overwritten, f.size));
   }
 }
 
@@ -177,12 +196,12 @@ void write_trial(Writer& out, Function const& f) {
   out.line("{}.keep();", trial);
 }
 
-// Orbits that lie among added darts are written as their new arcs are; others are walked when all arcs are there.
+// Orbits whose darts are known are written in columns; others are walked when all arcs are there.
 void write_embeddings(Writer& out, Function const& f, bool walked) {
   std::optional<std::pair<std::size_t, Kind>> group;
   for (std::size_t c = 0; c < f.plan.orbits.size(); ++c) {
     auto const& component = f.plan.orbits[c];
-    if (walked != (component.kind == Kind::assign || component.kind == Kind::merge)) continue;
+    if (walked != is_walked(f, component)) continue;
     bool const new_embedding = !group || group->first != component.embedding;
     bool const new_group = group != std::pair(component.embedding, component.kind);
     group = std::pair(component.embedding, component.kind);
@@ -205,7 +224,7 @@ void write_missing_handles(Writer& out, Function const& f) {
     for (auto const& component : f.plan.orbits) {
       if (component.embedding != e) continue;
       std::erase_if(missing, [&](ir::NodeId id) {
-        if (component.kind == Kind::fresh) {
+        if (component.kind != Kind::inherit && !is_walked(f, component)) {
           return std::any_of(component.members.begin(), component.members.end(), [&](auto const& m) { return m.node == id; });
         }
         return component.kind == Kind::inherit &&
@@ -276,7 +295,7 @@ void write_commit(Writer& out, Function const& f) {
   out.close("};");
   out.line("{}();", f.local("commit"));
   // Darts that are added had no values, so without a hook there is nothing to drop.
-  bool const drops = !f.plan.deleted.empty() || visits_orbits(f);
+  bool const drops = !f.plan.deleted.empty() || overwrites_values(f);
   if (drops && !f.rule.hooks.empty() && !f.embeddings.empty()) {
     out.line("jrule::rewrite::drop_unused_values({}, {});", f.map, f.workspace);
   }

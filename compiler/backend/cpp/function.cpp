@@ -143,7 +143,7 @@ void Function::name_columns() {
   for (auto const& check : plan.checks) add(check.word);
   for (ir::Arc const& arc : plan.writes) add(arc.word);
   for (auto const& component : plan.orbits) {
-    if (component.kind == Kind::fresh) {
+    if (component.kind == Kind::fresh || component.kind == Kind::assign) {
       for (auto const& member : component.members) add(member.path);
     }
     for (Word const& generator : visited_orbits(component)) add(generator);

@@ -74,8 +74,9 @@ class Embedding {
     handles_[dart] = h;
   }
   std::span<Handle const> handles() const noexcept { return handles_; }
-  /// The same to be written, for commits. Valid until darts are added.
+  /// The same to be written, for commits, which say how many of them had a handle already. Valid until darts are added.
   Handle* handles_of_darts() noexcept { return handles_.data(); }
+  void count_overwritten(std::size_t handles) noexcept { overwritten_ += handles; }
   /// One handle for each dart index; new ones are no_handle. Called by Map.
   void resize(std::size_t darts) { handles_.resize(darts, no_handle); }
   /// The same, but leaves the new ones unset.

@@ -1,5 +1,4 @@
-// Generated C++ on G-maps and O-maps. A rule whose hook's orbit can be the whole surface is applied at one dart, which
-// refines all of it at once.
+// Generated C++ on G-maps and O-maps: each rule at all orbits of its hook at once.
 #include "subdivision.h"
 #include "surface.h"
 #include "tests/bench/peers/own.h"
@@ -83,7 +82,7 @@ class Column {
 
   template <class Rule>
   static void apply(Modeler& mesh, Rule rule) {
-    expect(rule(mesh, Dart{0}));
+    expect(rule(mesh));
   }
 
   Contest& contest_;
@@ -93,8 +92,9 @@ class Column {
 
 }  // namespace
 
-// A function as a value that templates take.
-#define RULE(FUNCTION) [](auto& mesh, Dart d) { return FUNCTION(mesh, d); }
+// Functions as values that templates take: at all orbits, at one.
+#define RULE(FUNCTION) [](auto& mesh) { return FUNCTION##_everywhere(mesh); }
+#define AT_ONE(FUNCTION) [](auto& mesh, Dart d) { return FUNCTION(mesh, d); }
 
 void enter_generated(Contest& contest) {
   Column<topology::Surface>(contest, ours).enter(Work::quad, RULE(topology::quad));
@@ -105,7 +105,7 @@ void enter_generated(Contest& contest) {
   gmap.enter(Work::edge_vertices, RULE(surface::edge_vertices));
   gmap.enter(Work::dual, RULE(surface::dual));
   gmap.enter_check();
-  gmap.enter_single_faces(RULE(surface::triangulate_face));
+  gmap.enter_single_faces(AT_ONE(surface::triangulate_face));
 
   std::string const oriented = "O-map";
   Column<topology::Halfedges>(contest, oriented).enter(Work::quad, RULE(topology::quad_halfedges));
@@ -116,9 +116,10 @@ void enter_generated(Contest& contest) {
   omap.enter(Work::edge_vertices, RULE(surface::edge_vertices_halfedges));
   omap.enter(Work::dual, RULE(surface::dual_halfedges));
   omap.enter_check();
-  omap.enter_single_faces(RULE(surface::triangulate_face_halfedges));
+  omap.enter_single_faces(AT_ONE(surface::triangulate_face_halfedges));
 }
 
 #undef RULE
+#undef AT_ONE
 
 }  // namespace jrule::bench
