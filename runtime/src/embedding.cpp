@@ -38,14 +38,14 @@ bool offers(MergePolicy policy) {
 
 Embedding::Embedding(EmbeddingSpec spec) : spec_(std::move(spec)) {
   switch (spec_.type) {
-    case Type::Bool: pool_.emplace<std::vector<std::uint8_t>>(); break;
-    case Type::Int: pool_.emplace<std::vector<std::int64_t>>(); break;
-    case Type::Real: pool_.emplace<std::vector<double>>(); break;
-    case Type::Vec2: pool_.emplace<std::vector<Vec2>>(); break;
-    case Type::Vec3: pool_.emplace<std::vector<Vec3>>(); break;
-    case Type::Point2: pool_.emplace<std::vector<Point2>>(); break;
-    case Type::Point3: pool_.emplace<std::vector<Point3>>(); break;
-    case Type::Color: pool_.emplace<std::vector<Color>>(); break;
+    case Type::Bool: pool_.emplace<ColumnOf<std::uint8_t>>(); break;
+    case Type::Int: pool_.emplace<ColumnOf<std::int64_t>>(); break;
+    case Type::Real: pool_.emplace<ColumnOf<double>>(); break;
+    case Type::Vec2: pool_.emplace<ColumnOf<Vec2>>(); break;
+    case Type::Vec3: pool_.emplace<ColumnOf<Vec3>>(); break;
+    case Type::Point2: pool_.emplace<ColumnOf<Point2>>(); break;
+    case Type::Point3: pool_.emplace<ColumnOf<Point3>>(); break;
+    case Type::Color: pool_.emplace<ColumnOf<Color>>(); break;
     case Type::Extern:
       if (spec_.extern_parts.make_pool != nullptr) extern_pool_ = spec_.extern_parts.make_pool();
       break;
@@ -63,7 +63,7 @@ Embedding::Embedding(EmbeddingSpec spec) : spec_(std::move(spec)) {
   // Of a type from outside nothing is known that `mean`, `min` or `max` could use.
   bool const mergeable =
       is_extern ? offers<bool>(spec_.merge)
-                : std::visit([&]<class S>(std::vector<S> const&) { return offers<Unstored<S>>(spec_.merge); }, pool_);
+                : std::visit([&]<class S>(ColumnOf<S> const&) { return offers<Unstored<S>>(spec_.merge); }, pool_);
   if (!mergeable) {
     throw std::invalid_argument("embedding `" + spec_.name + "`: its merge policy is not offered for type " +
                                 to_string(spec_.type));
@@ -95,7 +95,7 @@ Handle Embedding::add(Value const& value) {
   if (extern_pool_) throw std::invalid_argument("embedding `" + spec_.name + "` holds values of " + spec_.extern_name);
   std::size_t const handle = value_count();
   if (handle >= no_handle) throw std::length_error("too many values of embedding `" + spec_.name + "`");
-  std::visit([&]<class S>(std::vector<S>& pool) { pool.push_back(std::get<Unstored<S>>(value)); },
+  std::visit([&]<class S>(ColumnOf<S>& pool) { pool.push_back(std::get<Unstored<S>>(value)); },
              pool_);
   return static_cast<Handle>(handle);
 }
@@ -128,7 +128,7 @@ void Embedding::truncate_values(std::size_t count) noexcept {
 Value Embedding::value(Handle h) const noexcept {
   assert(!extern_pool_);
   return std::visit(
-      [&]<class S>(std::vector<S> const& pool) -> Value {
+      [&]<class S>(ColumnOf<S> const& pool) -> Value {
         // In place, so that the byte of a Bool becomes that alternative and no other.
         return Value(std::in_place_type<Unstored<S>>, static_cast<Unstored<S>>(pool[h]));
       },

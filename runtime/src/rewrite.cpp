@@ -10,14 +10,43 @@
 namespace jrule::rewrite {
 
 void Workspace::reserve(std::size_t darts) {
-  if (darts <= stamp_.size()) return;
+  if (darts <= room_) return;
   // Doubling keeps a long series of applications that each add a few darts linear.
-  std::size_t const room = std::max(darts, 2 * stamp_.size());
-  stamp_.reserve(room);
-  value_.resize(room, 0);
+  std::size_t const room = 2 * darts, bytes = room * sizeof(std::uint32_t);
   queue_.reserve(room);
   handles_.reserve(room);
-  stamp_.resize(room, 0);  // last: its size says how much room there is
+  auto* const stamps = static_cast<std::uint32_t*>(memory::allocate_zeros(bytes));
+  Index* values = nullptr;
+  try {
+    values = static_cast<Index*>(memory::allocate_zeros(bytes));
+  } catch (...) {
+    memory::deallocate_zeros(stamps, bytes);
+    throw;
+  }
+  Workspace grown;
+  grown.stamp_ = std::exchange(stamp_, stamps);
+  grown.value_ = std::exchange(value_, values);
+  grown.room_ = std::exchange(room_, room);
+  epoch_ = 1;
+}
+
+Workspace::~Workspace() {
+  std::size_t const bytes = room_ * sizeof(std::uint32_t);
+  if (room_ == 0) return;
+  memory::deallocate_zeros(stamp_, bytes);
+  memory::deallocate_zeros(value_, bytes);
+}
+
+void Workspace::swap(Workspace& other) noexcept {
+  std::swap(stamp_, other.stamp_);
+  std::swap(value_, other.value_);
+  std::swap(room_, other.room_);
+  std::swap(epoch_, other.epoch_);
+  queue_.swap(other.queue_);
+  handles_.swap(other.handles_);
+  pattern_.swap(other.pattern_);
+  columns_.swap(other.columns_);
+  std::swap(used_, other.used_);
 }
 
 Index* Workspace::column(std::size_t size) {
@@ -33,7 +62,7 @@ Index* Workspace::column(std::size_t size) {
 
 void Workspace::clear_marks() noexcept {
   if (++epoch_ == 0) {
-    std::fill(stamp_.begin(), stamp_.end(), 0);
+    std::fill(stamp_, stamp_ + room_, 0);
     epoch_ = 1;
   }
 }

@@ -21,7 +21,7 @@ using Copies = std::vector<std::vector<Dart>>;
 /// What a loaded library holds for each rule.
 struct Entry {
   Result<Copies> (*apply)(Map& map, std::vector<Dart> const& hooks);
-  Result<std::size_t> (*everywhere)(Map& map);
+  Result<void> (*everywhere)(Map& map);
 };
 
 char const preamble[] = R"(
@@ -29,10 +29,12 @@ using Copies = std::vector<std::vector<jrule::Dart>>;
 
 struct Entry {
   jrule::Result<Copies> (*apply)(jrule::Map& map, std::vector<jrule::Dart> const& hooks);
-  jrule::Result<std::size_t> (*everywhere)(jrule::Map& map);
+  jrule::Result<void> (*everywhere)(jrule::Map& map);
 };
 
 namespace {
+
+[[maybe_unused]] std::vector<jrule::Dart> list(std::span<jrule::Dart const> darts) { return {darts.begin(), darts.end()}; }
 
 // Generated functions work on a modeler that owns its map.
 template <class Modeler, class Apply>
@@ -65,7 +67,7 @@ std::string entry(ir::RuleScheme const& rule, std::string const& name_space) {
   for (ir::Node const& node : rule.nodes) {
     std::string const copy = node.deleted()       ? "{}"
                              : rule.hooks.empty() ? "{result->" + node.name + "}"
-                                                  : "result->copies." + node.name;
+                                                  : fmt::format("list(result->copies.{})", node.name);
     copies += (copies.empty() ? "" : ", ") + copy;
   }
   std::string const apply = fmt::format(

@@ -97,9 +97,9 @@ class Embedding {
   Value value(Handle h) const noexcept;
   /// The values themselves, T being Stored<the C++ type of `spec().type`>, of Type::Extern the type that its name says.
   template <class T>
-  std::vector<T> const& values() const { return values_of<T>(*this); }
+  ColumnOf<T> const& values() const { return values_of<T>(*this); }
   template <class T>
-  std::vector<T>& values() { return values_of<T>(*this); }
+  ColumnOf<T>& values() { return values_of<T>(*this); }
   /// Drops the values that no dart refers to and renumbers the rest, which keep their order. O(darts + values), in place
   /// but for a handle for each value in `scratch`: throws only std::bad_alloc for that, and then nothing has changed.
   void compact(std::vector<Handle>& scratch);
@@ -115,16 +115,16 @@ class Embedding {
   Value merge(std::span<Handle const> parts) const noexcept;
 
  private:
-  using Pool = std::variant<std::vector<std::uint8_t>, std::vector<std::int64_t>, std::vector<double>, std::vector<Vec2>,
-                            std::vector<Vec3>, std::vector<Point2>, std::vector<Point3>, std::vector<Color>>;
+  using Pool = std::variant<ColumnOf<std::uint8_t>, ColumnOf<std::int64_t>, ColumnOf<double>, ColumnOf<Vec2>,
+                            ColumnOf<Vec3>, ColumnOf<Point2>, ColumnOf<Point3>, ColumnOf<Color>>;
   template <class T>
-  static constexpr bool is_pooled = std::is_constructible_v<Pool, std::in_place_type_t<std::vector<T>>>;
+  static constexpr bool is_pooled = std::is_constructible_v<Pool, std::in_place_type_t<ColumnOf<T>>>;
 
   // Of the embedding, const or not. A type from outside may be another name of a type of the language.
   template <class T, class Self>
   static auto& values_of(Self& self) {
     if constexpr (is_pooled<T>) {
-      if (!self.extern_pool_) return std::get<std::vector<T>>(self.pool_);
+      if (!self.extern_pool_) return std::get<ColumnOf<T>>(self.pool_);
     }
     auto& pool = *self.extern_pool_;
     return static_cast<std::conditional_t<std::is_const_v<Self>, PoolOf<T> const, PoolOf<T>>&>(pool).values;

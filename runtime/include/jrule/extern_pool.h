@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "jrule/memory.h"
+
 namespace jrule {
 
 using Handle = std::uint32_t;
@@ -22,7 +24,7 @@ using Stored = std::conditional_t<std::is_same_v<T, bool>, std::uint8_t, T>;
 /// Moves each value to its new number, which is no greater than its old one and ascends with it; drops those whose
 /// number is no_handle. O(values), in place: a value is moved at most once.
 template <class T>
-void keep_numbered(std::vector<T>& values, std::span<Handle const> numbers) noexcept {
+void keep_numbered(ColumnOf<T>& values, std::span<Handle const> numbers) noexcept {
   std::size_t kept = 0;
   for (std::size_t h = 0; h < values.size(); ++h) {
     if (numbers[h] == no_handle) continue;
@@ -56,7 +58,7 @@ class PoolOf final : public ExternPool {
   static_assert(std::is_nothrow_move_constructible_v<T>, "moving a value of an `extern type` must not throw");
 
  public:
-  std::vector<T> values;
+  ColumnOf<T> values;
 
   std::unique_ptr<ExternPool> clone() const override { return std::make_unique<PoolOf>(*this); }
   std::size_t size() const noexcept override { return values.size(); }

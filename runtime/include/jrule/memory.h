@@ -38,19 +38,22 @@ template <class T>
 using ColumnOf = std::vector<T, ColumnAllocator<T>>;
 
 namespace memory {
-/// Throws std::bad_alloc.
-void* allocate(std::size_t bytes);
-void deallocate(void* memory, std::size_t bytes) noexcept;
+/// Memory whose content is unset. Throws std::bad_alloc.
+void* allocate(std::size_t bytes, std::size_t alignment);
+void deallocate(void* memory, std::size_t bytes, std::size_t alignment) noexcept;
+/// Memory whose bytes are all zero; what is never touched costs nothing. Throws std::bad_alloc.
+void* allocate_zeros(std::size_t bytes);
+void deallocate_zeros(void* memory, std::size_t bytes) noexcept;
 }  // namespace memory
 
 template <class T>
 T* ColumnAllocator<T>::allocate(std::size_t count) {
   if (count > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_array_new_length();
-  return static_cast<T*>(memory::allocate(count * sizeof(T)));
+  return static_cast<T*>(memory::allocate(count * sizeof(T), alignof(T)));
 }
 template <class T>
 void ColumnAllocator<T>::deallocate(T* memory, std::size_t count) noexcept {
-  memory::deallocate(memory, count * sizeof(T));
+  memory::deallocate(memory, count * sizeof(T), alignof(T));
 }
 
 }  // namespace jrule

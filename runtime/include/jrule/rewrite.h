@@ -23,7 +23,16 @@ using Column = std::vector<Index>;
 /// Scratch memory, reused between applications so that none allocates after warm-up. One application at a time.
 class Workspace {
  public:
-  /// Room to mark every dart below `darts` and to queue as many. May throw std::bad_alloc.
+  Workspace() = default;
+  Workspace(Workspace&& other) noexcept { swap(other); }
+  Workspace& operator=(Workspace&& other) noexcept {
+    swap(other);
+    return *this;
+  }
+  ~Workspace();
+
+  /// Room to mark every dart below `darts` and to queue as many; forgets all marks if that needs more memory. May throw
+  /// std::bad_alloc. O(1): memory that is not marked is not touched.
   void reserve(std::size_t darts);
   /// Forgets all marks. O(1), except once in 2^32 times.
   void clear_marks() noexcept;
@@ -34,7 +43,7 @@ class Workspace {
     value_[d] = value;
     return true;
   }
-  bool marked(Dart d) const noexcept { return d < stamp_.size() && stamp_[d] == epoch_; }
+  bool marked(Dart d) const noexcept { return d < room_ && stamp_[d] == epoch_; }
   /// The value that the dart was marked with; it must be marked.
   Index value(Dart d) const noexcept { return value_[d]; }
   /// An empty queue with room for every dart.
@@ -63,9 +72,13 @@ class Workspace {
   Index* column(std::size_t size);
 
  private:
-  std::vector<std::uint32_t> stamp_;
-  std::vector<Index> value_;
-  std::uint32_t epoch_ = 0;
+  void swap(Workspace& other) noexcept;
+
+  // Stamps are zero at first, values unset; both for room_ darts.
+  std::uint32_t* stamp_ = nullptr;
+  Index* value_ = nullptr;
+  std::size_t room_ = 0;
+  std::uint32_t epoch_ = 1;
   std::vector<Dart> queue_;
   std::vector<Handle> handles_;
   std::vector<Dart> pattern_;

@@ -21,7 +21,7 @@ using Read = std::conditional_t<std::is_constructible_v<Value, std::in_place_typ
 
 /// Adds a value to the pool of an embedding; strong guarantee.
 template <class T>
-Handle add(std::vector<Stored<T>>& pool, T value) {
+Handle add(ColumnOf<Stored<T>>& pool, T value) {
   if (pool.size() >= no_handle - 1) throw std::length_error("too many values");
   pool.push_back(std::move(value));
   return static_cast<Handle>(pool.size() - 1);
@@ -46,7 +46,7 @@ class Values {
 
  private:
   Handle const* handles_;
-  std::vector<Stored<T>> const& pool_;
+  ColumnOf<Stored<T>> const& pool_;
 };
 
 /// The list of the values of `element` at the darts of a walk.
@@ -133,7 +133,7 @@ class NewValues {
 
  private:
   Embedding& embedding_;
-  std::vector<Stored<T>>& pool_;
+  ColumnOf<Stored<T>>& pool_;
   std::size_t base_;
   bool kept_ = false;
 };
@@ -151,7 +151,7 @@ void set_extern_value(Map& map, std::size_t embedding, Dart d, T value, Workspac
 /// For ExternParts::add_merged: the values merged two at a time, `merge(merge(a, b), c)`, and all at once, `merge({a, b, c})`.
 template <class T, class Merge>
 Handle add_folded(Embedding& embedding, std::span<Handle const> parts, Merge merge) {
-  std::vector<Stored<T>> const& pool = embedding.values<Stored<T>>();
+  ColumnOf<Stored<T>> const& pool = embedding.values<Stored<T>>();
   std::optional<T> merged(static_cast<T>(pool[parts[0]]));  // optional: T need not be assignable
   for (Handle const part : parts.subspan(1)) {
     T next = merge(std::as_const(*merged), static_cast<Read<T>>(pool[part]));
@@ -161,7 +161,7 @@ Handle add_folded(Embedding& embedding, std::span<Handle const> parts, Merge mer
 }
 template <class T, class Merge>
 Handle add_merged_list(Embedding& embedding, std::span<Handle const> parts, Merge merge) {
-  std::vector<Stored<T>> const& pool = embedding.values<Stored<T>>();
+  ColumnOf<Stored<T>> const& pool = embedding.values<Stored<T>>();
   std::vector<Stored<T>> list;
   list.reserve(parts.size());
   for (Handle const part : parts) list.push_back(pool[part]);
