@@ -12,9 +12,10 @@ using Kind = analysis::OrbitComponent::Kind;
 
 namespace {
 
-// "3 * n"; "n" for 1.
-std::string times(std::size_t count, std::string const& size) {
-  return count == 1 ? size : fmt::format("{} * {}", count, size);
+// "3 * n"; "n" for 1. If dense, n is a dart.
+std::string times(std::size_t count, Function const& f) {
+  if (count == 1) return f.size;
+  return f.form == Form::dense ? fmt::format("std::size_t{{{}}} * {}", count, f.size) : fmt::format("{} * {}", count, f.size);
 }
 
 // Do all arcs of the component's orbits lie on the right side? Then the orbits are its members, and reach nothing else.
@@ -53,22 +54,22 @@ void write_reserve(Writer& out, Function const& f) {
     for (auto const& component : f.plan.orbits) {
       if (component.embedding == e && component.kind == Kind::merge && !f.merges_on_trial(e)) ++merges;
     }
-    if (merges != 0) out.line("{}.reserve_values({});", f.embeddings[e], times(merges, f.size));
+    if (merges != 0) out.line("{}.reserve_values({});", f.embeddings[e], times(merges, f));
   }
-  if (!f.plan.deleted.empty()) out.line("{}.reserve_erase({});", f.map, times(f.plan.deleted.size(), f.size));
+  if (!f.plan.deleted.empty()) out.line("{}.reserve_erase({});", f.map, times(f.plan.deleted.size(), f));
   if (visits_orbits(f)) {
     out.line("{}.reserve({}.dart_limit(){});", f.workspace, f.map,
-             f.plan.added.empty() ? "" : " + " + times(f.plan.added.size(), f.size));
+             f.plan.added.empty() ? "" : " + " + times(f.plan.added.size(), f));
   }
   if (f.merges_on_trial()) {
-    out.line("jrule::rewrite::Trial {}({}, {}, {});", f.local("trial"), f.map, f.workspace, times(f.plan.writes.size(), f.size));
+    out.line("jrule::rewrite::Trial {}({}, {}, {});", f.local("trial"), f.map, f.workspace, times(f.plan.writes.size(), f));
   }
 }
 
 // The added nodes' darts: those of one node follow on those of the one before.
 void write_additions(Writer& out, Function const& f) {
   if (f.plan.added.empty()) return;
-  std::string const count = times(f.plan.added.size(), f.size);
+  std::string const count = times(f.plan.added.size(), f);
   std::string first;
   if (f.form == Form::dense) {
     first = fmt::format("{}.append_darts({})", f.map, count);
@@ -81,9 +82,8 @@ void write_additions(Writer& out, Function const& f) {
   }
   for (std::size_t i = 0; i < f.plan.added.size(); ++i) {
     std::string const& name = f.darts[f.plan.added[i]];
-    std::string start = i == 0 ? first : fmt::format("{} + {}", f.darts[f.plan.added[i - 1]], f.size);
-    if (f.form == Form::dense && i > 0) start = fmt::format("static_cast<jrule::Dart>({})", start);
-    out.line("jrule::Dart const{} {} = {};", f.form == Form::dense ? "" : "* const", name, start);
+    std::string const start = i == 0 ? first : fmt::format("{} + {}", f.darts[f.plan.added[i - 1]], f.size);
+    out.line("{} const {} = {};", f.form == Form::dense ? "std::size_t" : "jrule::Dart*", name, start);
   }
 }
 
@@ -124,17 +124,17 @@ void write_aliases_again(Writer& out, Function const& f) {
 void write_arcs(Writer& out, Function const& f) {
   for (ir::Arc const* arc : f.writes) {
     out.line("// {}: {}", place(f.sources, arc->span), arc_text(f.rule, arc->source, arc->dimension, arc->word, arc->target));
-    std::string const source = f.dart(arc->source), target = f.dart(arc->target, arc->word);
     auto const d = static_cast<std::size_t>(arc->dimension);
     if (f.merges_on_trial()) {
-      out.line("{} {}.set_target({}, {}, {});", f.loop(), f.local("trial"), source, arc->dimension, target);
+      out.line("{} {}.set_target({}, {}, {});", f.loop(), f.local("trial"), f.dart(arc->source), arc->dimension,
+               f.dart(arc->target, arc->word));
     } else if (!f.rule.model().is_oriented(arc->dimension)) {
-      out.line("{} {}[{}] = {};", f.loop(), f.arcs[d], source, target);
+      out.line("{} {}[{}] = {};", f.stream(), f.arcs[d], f.place(arc->source), f.written(arc->target, arc->word));
     } else {
-      out.open("{} {{", f.loop());
-      out.line("jrule::Dart const {} = {}, {} = {};", f.local("at"), source, f.local("to"), target);
-      out.line("{}[{}] = {};", f.arcs[d], f.local("at"), f.local("to"));
-      out.line("{}[{}] = {};", f.arc_sources[d], f.local("to"), f.local("at"));
+      out.open("{} {{", f.stream());
+      out.line("std::size_t const {} = {}, {} = {};", f.local("at"), f.place(arc->source), f.local("to"), f.place(arc->target, arc->word));
+      out.line("{}[{}] = static_cast<jrule::Dart>({});", f.arcs[d], f.local("at"), f.local("to"));
+      out.line("{}[{}] = static_cast<jrule::Dart>({});", f.arc_sources[d], f.local("to"), f.local("at"));
       out.close();
     }
   }
@@ -156,9 +156,9 @@ void write_handles(Writer& out, Function const& f, std::size_t c) {
       auto const& source = component.sources[i];
       // Matched darts still have their handles; where a walk led from them, it led before the arcs changed.
       std::string const value = source.tail.empty()
-                                    ? fmt::format("{}[{}]", f.dart_handles[component.embedding], f.dart(source.preserved, source.word))
+                                    ? fmt::format("{}[{}]", f.dart_handles[component.embedding], f.place(source.preserved, source.word))
                                     : fmt::format("{}[{}]", f.inherited[c][i], f.index);
-      out.line("{} {}[{}] = {};", f.loop(), f.dart_handles[component.embedding], f.dart(source.added), value);
+      out.line("{} {}[{}] = {};", f.stream(), f.dart_handles[component.embedding], f.place(source.added), value);
     }
   } else if (is_walked(f, component)) {
     std::string const value = component.kind == Kind::assign ? handle + ", " : "";
@@ -171,9 +171,9 @@ void write_handles(Writer& out, Function const& f, std::size_t c) {
     std::size_t overwritten = 0;
     for (auto const& member : component.members) {
       if (!f.node(member.node).added()) ++overwritten;
-      out.line("{} {}[{}] = {};", f.loop(), f.dart_handles[component.embedding], f.dart(member.node, member.path), handle);
+      out.line("{} {}[{}] = {};", f.stream(), f.dart_handles[component.embedding], f.place(member.node, member.path), handle);
     }
-    if (overwritten != 0) out.line("{}.count_overwritten({});", f.embeddings[component.embedding], times(overwritten, f.size));
+    if (overwritten != 0) out.line("{}.count_overwritten({});", f.embeddings[component.embedding], times(overwritten, f));
   }
 }
 

@@ -291,7 +291,7 @@ void define_dense(Writer& out, Function const& rule) {
     plan.line("return true;");
     if (has_plan(f)) write_plan_title(rest);
     write_with_locals(rest, view_locals(f), plan.all());
-    std::vector<Local> locals{{f.size, fmt::format("std::size_t const {} = {}.dart_limit();", f.size, f.map)}};
+    std::vector<Local> locals{{f.size, fmt::format("jrule::Dart const {} = {}.dart_limit();", f.size, f.map)}};
     for (auto const& [word, name] : f.columns) {
       if (f.is_aliased(word)) {
         locals.push_back({name, fmt::format("jrule::rewrite::Index const* {} = {}.{}({}).data();", name, f.map,

@@ -80,17 +80,20 @@ struct Printer {
     return each(e.over, name, element);
   }
   Code print_node(ir::ForEach const& e) const { return {fmt::format("jrule::rewrite::each({})", each(e))}; }
-  // A sum or mean over a walk, added up as the values come; none of other lists.
-  std::optional<Code> total(ir::Apply const& a) const {
-    ir::Expr const& list = *a.arguments[0];
-    if (auto const* e = std::get_if<ir::ForEach>(&list.value)) {
-      return Code{fmt::format("jrule::rewrite::total({}).{}()", each(*e), ir::spelling(a.function))};
-    }
+  // What is written inside an aggregate of a walk, so that it needs no list; nothing for other lists.
+  std::string each(ir::Expr const& list) const {
+    if (auto const* e = std::get_if<ir::ForEach>(&list.value)) return each(*e);
     auto const* c = std::get_if<ir::Collect>(&list.value);
     if (!c) return {};
     std::string const& at = f().local("at");
-    return Code{fmt::format("jrule::rewrite::total({}).{}()",
-                            each(c->over, ' ' + at, fmt::format("{}[{}]", f().values[c->embedding], at)), ir::spelling(a.function))};
+    return each(c->over, ' ' + at, fmt::format("{}[{}]", f().values[c->embedding], at));
+  }
+  std::optional<Code> aggregate(ir::Apply const& a) const {
+    std::string const walked = each(*a.arguments[0]);
+    if (walked.empty()) return {};
+    bool const adds = a.function == Builtin::sum || a.function == Builtin::mean;
+    return Code{adds ? fmt::format("jrule::rewrite::total({}).{}()", walked, ir::spelling(a.function))
+                     : fmt::format("jrule::rewrite::{}({})", ir::spelling(a.function), walked)};
   }
   Code print_node(ir::Conditional const& c) const {
     return {fmt::format("{} ? {} : {}", bound(print(*c.condition), disjunction),
@@ -170,10 +173,12 @@ struct Printer {
         return {fmt::format("static_cast<std::int64_t>({}.size())", bound(print(*a.arguments[0]), primary))};
       case Builtin::first: return first(a);
       case Builtin::all:
-      case Builtin::any: return call(fmt::format("jrule::rewrite::{}", ir::spelling(a.function)), a);
+      case Builtin::any:
+        if (auto code = aggregate(a)) return *code;
+        return call(fmt::format("jrule::rewrite::{}", ir::spelling(a.function)), a);
       case Builtin::mean:
       case Builtin::sum:
-        if (auto code = total(a)) return *code;
+        if (auto code = aggregate(a)) return *code;
         break;
       case Builtin::dot:
       case Builtin::cross:

@@ -155,9 +155,20 @@ std::string Function::at(Word const& word) const {
   return word.empty() ? index : fmt::format("{}[{}]", columns.at(word), index);
 }
 
-std::string Function::dart(ir::NodeId id, Word const& word) const {
+std::string Function::place(ir::NodeId id, Word const& word) const {
   if (form != Form::dense) return fmt::format("{}[{}]", darts[id], at(word));
   return node(id).added() ? fmt::format("{} + {}", darts[id], at(word)) : at(word);
+}
+
+std::string Function::dart(ir::NodeId id, Word const& word) const {
+  std::string const dart = place(id, word);
+  return form == Form::dense && node(id).added() ? fmt::format("static_cast<jrule::Dart>({})", dart) : dart;
+}
+
+std::string Function::written(ir::NodeId id, Word const& word) const {
+  std::string const dart = place(id, word);
+  bool const is_dart = form != Form::dense || (!node(id).added() && !word.empty());
+  return is_dart ? dart : fmt::format("static_cast<jrule::Dart>({})", dart);
 }
 
 std::string Function::first(analysis::OrbitComponent const& component) const {
@@ -181,6 +192,8 @@ bool Function::merges_on_trial() const {
 std::string Function::loop() const {
   return fmt::format("for ({0} {1} = 0; {1} < {2}; ++{1})", form == Form::dense ? "jrule::Dart" : "std::size_t", index, size);
 }
+
+std::string Function::stream() const { return fmt::format("for (std::size_t {0} = 0; {0} < {1}; ++{0})", index, size); }
 
 bool Function::can_be_dense() const {
   return independent && plan.steps.empty() && !plan.test_injectivity && rule.lets.empty() && rule.requirements.empty() &&

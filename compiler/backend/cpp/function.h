@@ -71,8 +71,12 @@ struct Function {
   ir::Node const& node(ir::NodeId id) const { return rule.nodes[id]; }
   EmbeddingSpec const& spec(std::size_t e) const { return rule.modeler->embeddings[e]; }
   std::string const& local(std::string_view name) const { return locals.find(name)->second; }
-  /// "match_a[k]", "match_a[at_2[k]]"; if dense, "k", "added_b + at_2[k]".
+  /// "match_a[k]", "match_a[at_2[k]]"; if dense, "k", "at_2[k]".
   std::string dart(ir::NodeId id, Word const& word = {}) const;
+  /// The same in a loop of stream(): as an index of the map's columns, and as what is written there. If dense,
+  /// "added_b + at_2[k]" and "static_cast<jrule::Dart>(added_b + at_2[k])".
+  std::string place(ir::NodeId id, Word const& word = {}) const;
+  std::string written(ir::NodeId id, Word const& word = {}) const;
   /// The index of u_k·word: "k", "at_2[k]".
   std::string at(Word const& word) const;
   /// The column of the pattern's orbits that the component needs; empty if each dart is its own.
@@ -82,6 +86,8 @@ struct Function {
   bool merges_on_trial() const;
   /// "for (std::size_t k = 0; k < n; ++k)".
   std::string loop() const;
+  /// The same for columns that are written one after the other: if dense, the index is one that compilers make streams of.
+  std::string stream() const;
   /// Is the word's column the map's own?
   bool is_aliased(Word const& word) const { return form == Form::dense && word.size() == 1 && !copied.contains(word); }
   /// Can all darts of a map be rewritten at once, without columns of their own?

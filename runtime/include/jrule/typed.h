@@ -107,6 +107,17 @@ auto total(OrbitWalk const& walk, Map const& map, Dart d, Element element) {
   walk(map, d, [&](Dart at) { total.add(element(at)); });
   return total;
 }
+/// Is `element` true at some dart of a walk, at all of them? It is evaluated at each.
+template <class Element>
+bool any(OrbitWalk const& walk, Map const& map, Dart d, Element element) {
+  bool found = false;
+  walk(map, d, [&](Dart at) { found = element(at) || found; });
+  return found;
+}
+template <class Element>
+bool all(OrbitWalk const& walk, Map const& map, Dart d, Element element) {
+  return !any(walk, map, d, [&](Dart at) { return !element(at); });
+}
 /// The number of darts of a walk.
 inline std::int64_t count(OrbitWalk const& walk, Map const& map, Dart d) {
   std::int64_t count = 0;
