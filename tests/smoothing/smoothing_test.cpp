@@ -20,7 +20,7 @@ using mesh::Mesh;
 enum class Origin { vertex, edge, face };
 struct Column {
   Origin origin;
-  std::vector<Dart> const& copies;
+  std::span<Dart const> copies;
 };
 
 /// One rule: its name, its generated function, and the columns of its result of which at least one is at each new

@@ -155,7 +155,7 @@ TEST(DroppedValues, AFewChangesOfALargeMapDropNothing) {
   EXPECT_FALSE(e.is_compaction_due());
   set_value(map, 0, 0, 3.0, workspace);
   EXPECT_EQ(e.value_count(), 2U);
-  EXPECT_EQ(e.values<double>(), (std::vector<double>{0.5, 3.0}));
+  EXPECT_EQ(e.values<double>(), (ColumnOf<double>{0.5, 3.0}));
   EXPECT_EQ(e.handle(3), 1U);
   EXPECT_EQ(e.handle(4), 0U);
 }

@@ -183,7 +183,7 @@ TEST(Embedding, TruncationUndoesAdding) {
   Embedding e(spec(Type::Int));
   for (std::int64_t k = 0; k < 5; ++k) e.add(k);
   e.truncate_values(2);
-  EXPECT_EQ(e.values<std::int64_t>(), (std::vector<std::int64_t>{0, 1}));
+  EXPECT_EQ(e.values<std::int64_t>(), (ColumnOf<std::int64_t>{0, 1}));
   e.truncate_values(4);
   EXPECT_EQ(e.value_count(), 2u) << "it never adds";
   EXPECT_EQ(e.add(std::int64_t{9}), 2u);
@@ -216,7 +216,7 @@ TEST(Embedding, CompactDropsUnusedValuesAndKeepsTheOrder) {
   e.set_handle(3, 3);
   e.set_handle(4, 4);
   e.compact();
-  EXPECT_EQ(e.values<double>(), (std::vector<double>{1, 3, 4}));
+  EXPECT_EQ(e.values<double>(), (ColumnOf<double>{1, 3, 4}));
   EXPECT_EQ(handles(e), (std::vector<Handle>{1, no_handle, 0, 1, 2}));
 }
 

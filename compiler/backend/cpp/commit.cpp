@@ -83,7 +83,7 @@ void write_additions(Writer& out, Function const& f) {
   for (std::size_t i = 0; i < f.plan.added.size(); ++i) {
     std::string const& name = f.darts[f.plan.added[i]];
     std::string const start = i == 0 ? first : fmt::format("{} + {}", f.darts[f.plan.added[i - 1]], f.size);
-    out.line("{} const {} = {};", f.form == Form::dense ? "std::size_t" : "jrule::Dart*", name, start);
+    out.line("{} const {} = {};", f.form == Form::dense ? "std::size_t" : "jrule::Dart const*", name, start);
   }
 }
 

@@ -24,6 +24,9 @@ using Column = std::vector<Index>;
 class Workspace {
  public:
   Workspace() = default;
+  /// A copy begins without memory; what is assigned keeps its own.
+  Workspace(Workspace const&) noexcept {}
+  Workspace& operator=(Workspace const&) noexcept { return *this; }
   Workspace(Workspace&& other) noexcept { swap(other); }
   Workspace& operator=(Workspace&& other) noexcept {
     swap(other);
