@@ -3,10 +3,10 @@
 #   add_executable(refine main.cpp)
 #   jrule_add_rules(refine RULES surface.jrule)
 #
-# Works alike in jrule's own tree, with jrule as a subdirectory of a project, and with the compiler of another build
-# (-DJRULE_EXECUTABLE=…, when compiling for another machine).
+# Works alike in jrule's own tree, with jrule as a subdirectory of a project, with an installed one (find_package), and with
+# the compiler of another build (-DJRULE_EXECUTABLE=…, when compiling for another machine).
 
-set(JRULE_EXECUTABLE "" CACHE FILEPATH "The jrule compiler to run; empty: the one that this build makes")
+set(JRULE_EXECUTABLE "" CACHE FILEPATH "The jrule compiler to run; empty: jrule::compiler")
 
 # jrule_add_rules(target RULES file.jrule ... [IMPORT_DIRS dir ...] [NAMESPACE my::ops] [HEADER_PREFIX my/ops]
 #                 [WARNINGS_AS_ERRORS])
@@ -48,7 +48,7 @@ function(jrule_add_rules target)
   if(JRULE_EXECUTABLE)
     set(compiler "${JRULE_EXECUTABLE}")
   else()
-    set(compiler jrule)
+    set(compiler jrule::compiler)
   endif()
 
   foreach(rules IN LISTS ARG_RULES)

@@ -1,16 +1,35 @@
 #include "compiler/driver/compile.h"
 
 #include <cstdlib>
+#include <filesystem>
 #include <stdexcept>
 
 #include "compiler/sema/imports.h"
 
 namespace jrule::driver {
 
-sema::SearchPath search_path(Common const& common) {
-  char const* const chosen = std::getenv("JRULE_STDLIB");
-  return {chosen ? chosen : JRULE_STDLIB, common.import_dirs};
+namespace {
+
+// Where an installed jrule has its library, wherever it was moved to since. Empty in a build tree, and where the system does
+// not tell a program its own path.
+std::string installed_stdlib() {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  fs::path const self = fs::read_symlink("/proc/self/exe", error);
+  if (error) return {};
+  fs::path const folder = (self.parent_path() / JRULE_STDLIB_FROM_EXECUTABLE).lexically_normal();
+  return fs::is_directory(folder / "std", error) ? folder.string() : std::string();
 }
+
+std::string stdlib() {
+  if (char const* const chosen = std::getenv("JRULE_STDLIB")) return chosen;
+  std::string const installed = installed_stdlib();
+  return installed.empty() ? JRULE_STDLIB : installed;
+}
+
+}  // namespace
+
+sema::SearchPath search_path(Common const& common) { return {stdlib(), common.import_dirs}; }
 
 analysis::Verdict judge(ir::RuleScheme const& rule, source::Diagnostics& diagnostics, CounterexampleFiles* files) {
   if (auto const fault = ir::verify(rule)) throw std::logic_error("rule " + rule.name + ": " + *fault);

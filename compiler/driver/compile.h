@@ -28,7 +28,8 @@ std::unique_ptr<Compilation> compile(std::string const& path, Common const& comm
 /// The verdict on one more rule, its refusals added to the diagnostics.
 analysis::Verdict judge(ir::RuleScheme const& rule, source::Diagnostics& diagnostics, CounterexampleFiles* files = nullptr);
 
-/// Where imports are looked up: `std` in the folder that JRULE_STDLIB names, else where jrule was built from.
+/// Where imports are looked up: `std` in the folder that the environment's JRULE_STDLIB names, else in the one installed with
+/// this executable, else in the sources that it was built from.
 sema::SearchPath search_path(Common const& common);
 
 }  // namespace jrule::driver
