@@ -101,11 +101,12 @@ std::string escape_for_make(std::string const& path) {
   return text;
 }
 
+// Paths as the command line gives them, relative ones too: a Makefile knows its targets by those.
 std::string depfile_text(std::vector<std::string> const& targets, std::vector<std::string> const& sources) {
   std::string text;
   for (std::string const& target : targets) text += escape_for_make(target) + ' ';
   text.back() = ':';
-  for (std::string const& source : sources) text += " \\\n  " + escape_for_make(fs::absolute(source).lexically_normal().string());
+  for (std::string const& source : sources) text += " \\\n  " + escape_for_make(fs::path(source).lexically_normal().string());
   return text + '\n';
 }
 
@@ -127,7 +128,7 @@ int write(EmitOptions const& options, Compilation const& compilation, std::vecto
   std::vector<std::string> targets;
   for (Output const& output : outputs) {
     std::string const path = (fs::path(options.directory) / output.name).string();
-    targets.push_back(fs::absolute(path).lexically_normal().string());
+    targets.push_back(fs::path(path).lexically_normal().string());
     if (options.write_if_changed && same_content(path, output.text)) continue;
     if (auto const written = write_whole_file(path, output.text); !written) {
       print_error(written.error());

@@ -4,8 +4,14 @@ file(REMOVE_RECURSE "${WORK_DIR}")
 file(COPY "${JRULE_SOURCE_DIR}/examples/cmake-consumer/" DESTINATION "${WORK_DIR}/source")
 run(ignored STATUS 0 COMMAND "${CMAKE_COMMAND}" -S "${WORK_DIR}/source" -B "${WORK_DIR}/build" -G "${GENERATOR}"
     "-DCMAKE_CXX_COMPILER=${CXX}" "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}" "-DJRULE_EXECUTABLE=${JRULE}"
-    "-DJRULE_SOURCE_DIR=${JRULE_SOURCE_DIR}" "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror")
+    "-DJRULE_SOURCE_DIR=${JRULE_SOURCE_DIR}" "-DBUILD_SHARED_LIBS=${SHARED}"
+    "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror")
 run(ignored STATUS 0 COMMAND "${CMAKE_COMMAND}" --build "${WORK_DIR}/build" --target refine)
+
+file(GLOB_RECURSE shared "${WORK_DIR}/build/*/libjrule_runtime.so.0")
+if(SHARED AND NOT shared OR shared AND NOT SHARED)
+  message(FATAL_ERROR "BUILD_SHARED_LIBS is ${SHARED}, and shared runtimes are: ${shared}")
+endif()
 
 set(mesh "${JRULE_SOURCE_DIR}/tests/data/cube.obj")
 run(output STATUS 0 COMMAND "${WORK_DIR}/build/refine" "${mesh}" "${WORK_DIR}/out.ply")
