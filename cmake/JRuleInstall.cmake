@@ -19,6 +19,8 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/runtime/include/jrule" DESTINATION "${C
   COMPONENT jrule FILES_MATCHING PATTERN "*.h")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/stdlib" DESTINATION "${CMAKE_INSTALL_DATADIR}/jrule"
   COMPONENT jrule FILES_MATCHING PATTERN "*.jrule")
+# Under the name that Debian asks for.
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT jrule RENAME copyright)
 
 # For find_package(jrule).
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/jruleConfig.cmake.in" "${PROJECT_BINARY_DIR}/jruleConfig.cmake"

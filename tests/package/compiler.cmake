@@ -6,7 +6,8 @@ set(jrule "${PREFIX}/bin/jrule")
 
 # expect_library(folder COMMAND ...): what it compiles depends on the library in this folder.
 function(expect_library folder)
-  run(ignored STATUS 0 COMMAND ${ARGN} emit cpp "${WORK_DIR}/source/refine.jrule" -o "${WORK_DIR}/out" --depfile "${WORK_DIR}/refine.d")
+  run(ignored STATUS 0 COMMAND ${ARGN} emit cpp "${WORK_DIR}/source/refine.jrule" -o "${WORK_DIR}/out"
+      --depfile "${WORK_DIR}/refine.d")
   file(READ "${WORK_DIR}/refine.d" dependencies)
   foreach(module mesh subdivision)
     string(FIND "${dependencies}" " ${folder}/std/${module}.jrule" at)

@@ -1,5 +1,5 @@
 # What the tests of the package share. Given: PREFIX, LIBDIR, JRULE_SOURCE_DIR, JRULE_BINARY_DIR, VERSION, WORK_DIR, GENERATOR,
-# CXX, LAUNCHER, MAKE, PKG_CONFIG.
+# CXX, LAUNCHER, MAKE, PKG_CONFIG, CPACK, DPKG_DEB.
 include("${JRULE_SOURCE_DIR}/tests/integration/script.cmake")
 unset(ENV{JRULE_STDLIB})
 
@@ -15,8 +15,8 @@ function(expect_refined program)
   expect("${output}" "^26 vertices, 48 edges, 24 faces\nat \\(0\\.222, 0\\.222, 0\\.222\\)\nnot applicable: `cone` [^\n]+\n$")
 endfunction()
 
-# expect_refused(COMMAND ...): with a wrong rule the build fails at its line, and no program is left; with the right one again
-# it is built.
+# expect_refused(program COMMAND ...): with a wrong rule the build fails at its line and makes no program; with the right one
+# again it does.
 function(expect_refused program)
   cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "COMMAND")
   set(rules "${WORK_DIR}/source/refine.jrule")

@@ -1,0 +1,17 @@
+# The Debian package, unpacked: the compiler works, and the package says what users' programs need.
+include("${CMAKE_CURRENT_LIST_DIR}/script.cmake")
+copy_project()
+run(ignored STATUS 0 COMMAND "${CPACK}" -G DEB -B "${WORK_DIR}" --config "${JRULE_BINARY_DIR}/CPackConfig.cmake")
+file(GLOB package "${WORK_DIR}/jrule_${VERSION}_*.deb")
+run(control STATUS 0 COMMAND "${DPKG_DEB}" --info "${package}")
+foreach(needed libexpected-dev libfmt-dev libstdc\\+\\+6)
+  expect("${control}" "Depends: [^\n]*${needed}")
+endforeach()
+run(ignored STATUS 0 COMMAND "${DPKG_DEB}" --extract "${package}" "${WORK_DIR}/root")
+run(output STATUS 0 COMMAND "${WORK_DIR}/root/usr/bin/jrule" check "${WORK_DIR}/source/refine.jrule")
+foreach(file usr/share/jrule/stdlib/std/mesh.jrule usr/include/jrule/map.h "usr/${LIBDIR}/cmake/jrule/jruleConfig.cmake"
+             usr/share/doc/jrule/copyright)
+  if(NOT EXISTS "${WORK_DIR}/root/${file}")
+    message(FATAL_ERROR "the package lacks ${file}")
+  endif()
+endforeach()
