@@ -10,8 +10,8 @@ namespace jrule::driver {
 
 namespace {
 
-// Where an installed jrule has its library, wherever it was moved to since. Empty in a build tree, and where the system does
-// not tell a program its own path.
+// Where an installed jrule has its library, wherever it was moved to since. Empty in a build tree, and where the system
+// does not tell a program its own path.
 std::string installed_stdlib() {
   namespace fs = std::filesystem;
   std::error_code error;
