@@ -230,18 +230,18 @@ rule quad on M {
 )").code;
   expect_contains(code, "  if (!map.has_erased_darts() && rewrite_all_quad(m)) return {};\n");
   expect_contains(code, R"cpp(
-  jrule::Dart const added_b = map.append_darts(3 * n);
-  jrule::Dart const added_c = static_cast<jrule::Dart>(added_b + n);
+  std::size_t const added_b = map.append_darts(std::size_t{3} * n);
+  std::size_t const added_c = added_b + n;
 )cpp");
   std::size_t const in_place = code.find("static bool rewrite_all_quad");
   std::string const dense = code.substr(in_place, code.find("return true;", in_place) - in_place);
   expect_contains(dense, "jrule::rewrite::Index const* at_1 = map.targets(1).data();\n");
   expect_contains(dense, R"cpp(
     // shapes.jrule:6: b -1[1]-> a
-    for (jrule::Dart k = 0; k < n; ++k) {
-      jrule::Dart const at = added_b + k, to = at_1[k];
-      arcs_1[at] = to;
-      sources_1[to] = at;
+    for (std::size_t k = 0; k < n; ++k) {
+      std::size_t const at = added_b + k, to = at_1[k];
+      arcs_1[at] = static_cast<jrule::Dart>(to);
+      sources_1[to] = static_cast<jrule::Dart>(at);
     }
 )cpp");
   EXPECT_LT(dense.find("c -1[~1]-> d"), dense.find("b -1[1]-> a"));
@@ -261,9 +261,9 @@ rule smooth on Shape {
 )").code;
   expect_contains(code, "  jrule::Dart const start = map.target(map.target(a, 0), 1);\n");
   expect_contains(code,
-                  "  if (!(jrule::rewrite::all(jrule::rewrite::each(walk_1_2_by_1, map, start, [&](jrule::Dart k_) { "
+                  "  if (!(jrule::rewrite::all(walk_1_2_by_1, map, start, [&](jrule::Dart k_) { "
                   "return jrule::rewrite::count(walk_0_1_by_0, map, k_) > "
-                  "std::int64_t{3}; })) && static_cast<std::int64_t>(jrule::rewrite::each(walk_1_2, map, a, "
+                  "std::int64_t{3}; }) && static_cast<std::int64_t>(jrule::rewrite::each(walk_1_2, map, a, "
                   "[&](jrule::Dart) { return std::int64_t{1}; }).size()) > std::int64_t{4})) {\n");
   expect_contains(code,
                   "new_position.add(map.target(match_a[k], 2) == match_a[k] ? position_of[all_start[number[k]]] : "

@@ -119,6 +119,15 @@ struct Printer {
   Code call(std::string const& name, ir::Apply const& a) const { return call(name, a.arguments); }
   Code print_node(ir::Call const& c) const { return call("::" + c.function->cpp_name, c.arguments); }
 
+  // Compilers warn of a dart that is compared with itself.
+  bool is_same_dart(ir::Apply const& a) const {
+    if (a.arguments[0]->type != ir::dart_type) return false;
+    auto const before = mentioned;
+    bool const same = print(*a.arguments[0]).text == print(*a.arguments[1]).text;
+    if (same) mentioned = before;
+    return same;
+  }
+
   Code construct(ir::Apply const& a, Type type) const {
     Code code = call(type_name(type), a);
     code.text[type_name(type).size()] = '{';
@@ -151,8 +160,8 @@ struct Printer {
       case Builtin::less_equal: return infix("<=", comparison, a);
       case Builtin::greater: return infix(">", comparison, a);
       case Builtin::greater_equal: return infix(">=", comparison, a);
-      case Builtin::equal: return infix("==", comparison, a);
-      case Builtin::not_equal: return infix("!=", comparison, a);
+      case Builtin::equal: return is_same_dart(a) ? Code{"true"} : infix("==", comparison, a);
+      case Builtin::not_equal: return is_same_dart(a) ? Code{"false"} : infix("!=", comparison, a);
       case Builtin::logical_and: return infix("&&", conjunction, a);
       case Builtin::logical_or: return infix("||", disjunction, a);
       case Builtin::logical_not: return {"!" + bound(print(*a.arguments[0]), primary), comparison};
