@@ -73,3 +73,67 @@ function(jrule_add_rules target)
   target_include_directories(${target} PRIVATE "${include_dir}")
   target_link_libraries(${target} PRIVATE jrule::runtime)
 endfunction()
+
+# jrule_add_plugin(name RULES file.jrule ... [IMPORT_DIRS dir ...] [WARNINGS_AS_ERRORS])
+#
+# A shared library that offers the rules of these files to programs in any language, as <jrule/plugin.h> says: to
+# `jrule apply --plugin` for one. It exports `jrule_plugin_entry` and nothing else. C++ from outside that the rules use is added as
+# to any target: target_sources(name PRIVATE …), target_include_directories(name PRIVATE …).
+function(jrule_add_plugin target)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "WARNINGS_AS_ERRORS" "" "RULES;IMPORT_DIRS")
+  if(ARG_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "jrule_add_plugin(${target}): unknown arguments ${ARG_UNPARSED_ARGUMENTS}")
+  endif()
+  if(NOT ARG_RULES)
+    message(FATAL_ERROR "jrule_add_plugin(${target}): RULES names no files")
+  endif()
+
+  add_library(${target} MODULE)
+  set(warnings)
+  if(ARG_WARNINGS_AS_ERRORS)
+    set(warnings WARNINGS_AS_ERRORS)
+  endif()
+  jrule_add_rules(${target} RULES ${ARG_RULES} IMPORT_DIRS ${ARG_IMPORT_DIRS} ${warnings})
+
+  set(output_dir "${CMAKE_CURRENT_BINARY_DIR}/jrule/${target}")
+  set(flags --name "${target}")
+  foreach(dir IN LISTS ARG_IMPORT_DIRS)
+    get_filename_component(dir "${dir}" ABSOLUTE)
+    list(APPEND flags -I "${dir}")
+  endforeach()
+  if(CMAKE_GENERATOR MATCHES "Ninja")
+    list(APPEND flags --write-if-changed)
+  endif()
+  set(sources)
+  set(headers)
+  foreach(rules IN LISTS ARG_RULES)
+    get_filename_component(source "${rules}" ABSOLUTE)
+    get_filename_component(name "${rules}" NAME_WLE)
+    list(APPEND sources "${source}")
+    list(APPEND headers "${output_dir}/${name}.h")
+  endforeach()
+  if(JRULE_EXECUTABLE)
+    set(compiler "${JRULE_EXECUTABLE}")
+  else()
+    set(compiler jrule::compiler)
+  endif()
+  # After the headers, so that what is wrong with the rules is said once.
+  add_custom_command(
+    OUTPUT "${output_dir}/${target}_plugin.cpp"
+    COMMAND "${compiler}" emit plugin ${sources} -o "${output_dir}" --depfile "${output_dir}/${target}_plugin.d" ${flags}
+    DEPENDS "${compiler}" ${sources} ${headers}
+    DEPFILE "${output_dir}/${target}_plugin.d"
+    COMMENT "Making the tables of the plugin ${target}"
+    VERBATIM)
+  target_sources(${target} PRIVATE "${output_dir}/${target}_plugin.cpp")
+
+  set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  # Hidden or not: templates of the standard library, and what is in static libraries, would be seen otherwise.
+  if(APPLE)
+    target_link_options(${target} PRIVATE "LINKER:-exported_symbol,_jrule_plugin_entry")
+  elseif(UNIX)
+    file(CONFIGURE OUTPUT "${output_dir}/exports.map" CONTENT "{ global: jrule_plugin_entry; local: *; };\n")
+    target_link_options(${target} PRIVATE "LINKER:--version-script=${output_dir}/exports.map")
+    set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS "${output_dir}/exports.map")
+  endif()
+endfunction()

@@ -59,15 +59,12 @@ std::string example(Type type) {
 
 }  // namespace
 
-Result<std::vector<Value>> parse_arguments(ir::RuleScheme const& rule, std::vector<std::string> const& arguments) {
+Result<std::vector<std::optional<Value>>> parse_arguments(std::string const& rule, std::vector<NamedType> const& parameters,
+                                                          std::vector<std::string> const& arguments) {
   auto const error = [](std::string message) { return fail(Error::Kind::bad_input, std::move(message)); };
-  std::vector<std::optional<Value>> values;
+  std::vector<std::optional<Value>> values(parameters.size());
   std::vector<std::string> names;
-  for (ir::Parameter const& p : rule.parameters) {
-    values.push_back(p.default_value);
-    names.push_back(p.name);
-  }
-  std::vector<bool> given(values.size(), false);
+  for (NamedType const& p : parameters) names.push_back(p.name);
   for (std::string const& argument : arguments) {
     std::size_t const equals = argument.find('=');
     if (equals == std::string::npos) return error(fmt::format("`{}` is not of the form NAME=VALUE", argument));
@@ -75,25 +72,31 @@ Result<std::vector<Value>> parse_arguments(ir::RuleScheme const& rule, std::vect
     std::size_t at = 0;
     while (at < names.size() && names[at] != name) ++at;
     if (at == names.size()) {
-      return error(names.empty() ? fmt::format("`{}` has no parameters, so none called `{}`", rule.name, name)
-                                 : fmt::format("`{}` has no parameter `{}`; it has `{}`", rule.name, name, fmt::join(names, "`, `")));
+      return error(names.empty() ? fmt::format("`{}` has no parameters, so none called `{}`", rule, name)
+                                 : fmt::format("`{}` has no parameter `{}`; it has `{}`", rule, name, fmt::join(names, "`, `")));
     }
-    if (given[at]) return error(fmt::format("the parameter `{}` is given twice", name));
-    given[at] = true;
-    Type const type = rule.parameters[at].type;
+    if (values[at]) return error(fmt::format("the parameter `{}` is given twice", name));
+    Type const type = parameters[at].type;
     values[at] = parse_value(type, std::string_view(argument).substr(equals + 1));
     if (!values[at]) {
       return error(fmt::format("`{}` is not a {}: write `{}={}`", argument.substr(equals + 1), jrule::to_string(type), name, example(type)));
     }
   }
-  std::vector<Value> result;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!values[i]) {
-      return error(fmt::format("the parameter `{}` of `{}` is missing: write `{}={}`", names[i], rule.name, names[i], example(rule.parameters[i].type)));
-    }
-    result.push_back(*values[i]);
+    if (values[i] || parameters[i].has_default) continue;
+    return error(fmt::format("the parameter `{}` of `{}` is missing: write `{}={}`", names[i], rule, names[i], example(parameters[i].type)));
   }
-  return result;
+  return values;
+}
+
+Result<std::vector<Value>> parse_arguments(ir::RuleScheme const& rule, std::vector<std::string> const& arguments) {
+  std::vector<NamedType> parameters;
+  for (ir::Parameter const& p : rule.parameters) parameters.push_back({p.name, p.type, p.default_value.has_value()});
+  auto const given = parse_arguments(rule.name, parameters, arguments);
+  if (!given) return tl::unexpected(given.error());
+  std::vector<Value> values;
+  for (std::size_t i = 0; i < given->size(); ++i) values.push_back((*given)[i] ? *(*given)[i] : *rule.parameters[i].default_value);
+  return values;
 }
 
 }  // namespace jrule::driver

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "compiler/driver/commands.h"
+#include "compiler/driver/plugin_host.h"
 
 namespace jrule::driver {
 
@@ -42,23 +43,25 @@ int run(int argc, char const* const* argv) {
   EmitOptions emit_options;
   CLI::App& emit_command = *app.add_subcommand("emit", "show a stage of the compilation, or write C++");
   add_common(emit_command, emit_options.common);
-  emit_command.add_option("STAGE", emit_options.stage, "ast, ir, jrule, cpp, dot, svg or certificate; jrule: the rules as one source file")
+  emit_command.add_option("STAGE", emit_options.stage, "ast, ir, jrule, cpp, plugin, dot, svg or certificate; jrule: the rules as one source file")
       ->required()
-      ->check(CLI::IsMember({"ast", "ir", "jrule", "cpp", "dot", "svg", "certificate"}));
-  emit_command.add_option("FILE", emit_options.file, "source file, or FILE:RULE for one rule, e.g. basic.jrule:sew[2]")->required();
+      ->check(CLI::IsMember({"ast", "ir", "jrule", "cpp", "plugin", "dot", "svg", "certificate"}));
+  emit_command.add_option("FILE", emit_options.files, "source file, or FILE:RULE for one rule, e.g. basic.jrule:sew[2]; of a plugin, several files")->required();
   emit_command.add_option("--dimension", emit_options.dimension, "the n of a RULE on gmap(n)")->type_name("N");
   emit_command.add_option("-o,--output", emit_options.directory, "folder to write to instead of standard output")->type_name("DIR");
   emit_command.add_option("--depfile", emit_options.depfile, "write the files that were read, for the build system")->type_name("FILE");
   emit_command.add_flag("--write-if-changed", emit_options.write_if_changed, "leave files alone whose content stays the same");
   emit_command.add_option("--namespace", emit_options.name_space, "C++ namespace of the generated code")->type_name("NAME");
   emit_command.add_option("--header-prefix", emit_options.header_prefix, "folder in the generated #include")->type_name("DIR");
+  emit_command.add_option("--name", emit_options.name, "name of the plugin")->type_name("NAME");
   emit_command.callback([&] { status = emit(emit_options); });
 
   ApplyOptions apply_options;
   std::string apply_stats;
   CLI::App& apply_command = *app.add_subcommand("apply", "apply a rule to a mesh");
   add_common(apply_command, apply_options.common);
-  apply_command.add_option("RULE", apply_options.rule, "FILE:RULE, e.g. surface.jrule:cone")->required();
+  apply_command.add_option("RULE", apply_options.rule, "FILE:RULE, e.g. surface.jrule:cone; of a plugin, RULE or MODULE:RULE")->required();
+  apply_command.add_option("--plugin", apply_options.plugin, "take the rule from a plugin, made by jrule_add_plugin")->type_name("LIB");
   apply_command.add_option("--in", apply_options.in, "mesh: .obj .off .ply .stl .jmap; not for rules that create")->type_name("MESH");
   apply_command.add_option("--out", apply_options.out, "mesh to write")->type_name("MESH")->required();
   apply_command.add_option("--at", apply_options.at, "all, dart:N, vertex:N, edge:N, face:N, volume:N; one for each hook: dart:3,dart:17")->type_name("SEL");
@@ -67,20 +70,20 @@ int run(int argc, char const* const* argv) {
   apply_command.add_option("NAME=VALUE", apply_options.values, "parameters of the rule, e.g. apex=0,0,1");
   apply_command.callback([&] {
     apply_options.stats_json = !apply_stats.empty();
-    status = apply(apply_options);
+    status = apply_options.plugin.empty() ? apply(apply_options) : apply_plugin(apply_options);
   });
 
   InfoOptions info_options;
   std::string info_stats;
-  CLI::App& info_command = *app.add_subcommand("info", "count the cells of a mesh and check it");
-  info_command.add_option("MESH", info_options.mesh, "mesh: .obj .off .ply .stl .jmap")->required();
+  CLI::App& info_command = *app.add_subcommand("info", "count the cells of a mesh and check it; or list what a plugin offers");
+  info_command.add_option("MESH", info_options.mesh, "mesh: .obj .off .ply .stl .jmap; plugin: .so .dylib")->required();
   info_command.add_option("--model", info_options.model, "how a surface is read")
       ->check(CLI::IsMember({"gmap", "omap", "dual_omap", "closed_gmap"}))
       ->type_name("MODEL");
   info_command.add_option("--stats", info_stats, "print as json")->check(CLI::IsMember({"json"}))->type_name("json");
   info_command.callback([&] {
     info_options.stats_json = !info_stats.empty();
-    status = info(info_options);
+    status = is_plugin_path(info_options.mesh) ? info_plugin(info_options) : info(info_options);
   });
 
   FormatOptions format_options;

@@ -33,19 +33,23 @@ int check(CheckOptions const& options);
 
 struct EmitOptions {
   Common common;
-  std::string stage;  ///< ast, ir, jrule, cpp, dot, svg, certificate
-  std::string file;   ///< or FILE:RULE: that rule alone
+  std::string stage;  ///< ast, ir, jrule, cpp, plugin, dot, svg, certificate
+  std::vector<std::string> files;  ///< one, but of `plugin`; or FILE:RULE: that rule alone
   std::optional<int> dimension;  ///< the n of a rule on `gmap(n)`
   std::string directory;  ///< -o; empty: standard output
   std::string depfile;    ///< a make-style file of what was read; only with -o
   bool write_if_changed = false;
   std::string name_space, header_prefix;
+  std::string name;  ///< of the plugin; empty: the first file's
 };
 int emit(EmitOptions const& options);
+/// Its stage `plugin`.
+int emit_plugin(EmitOptions const& options);
 
 struct ApplyOptions {
   Common common;
-  std::string rule;  ///< FILE:RULE
+  std::string rule;  ///< FILE:RULE; RULE or MODULE:RULE of a plugin
+  std::string plugin;  ///< empty: none
   std::string in, out;
   std::string at;       ///< empty: `all`
   std::string picture;  ///< an SVG of the result; empty: none
@@ -53,13 +57,17 @@ struct ApplyOptions {
   bool stats_json = false;
 };
 int apply(ApplyOptions const& options);
+/// Of a rule of a plugin.
+int apply_plugin(ApplyOptions const& options);
 
 struct InfoOptions {
-  std::string mesh;
+  std::string mesh;  ///< or a plugin
   std::string model = "gmap";  ///< for surface formats: gmap, omap, dual_omap, closed_gmap
   bool stats_json = false;
 };
 int info(InfoOptions const& options);
+/// Of a plugin.
+int info_plugin(InfoOptions const& options);
 
 struct FormatOptions {
   Common common;

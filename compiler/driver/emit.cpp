@@ -9,22 +9,16 @@
 #include "compiler/backend/draw/draw.h"
 #include "compiler/backend/text/print_jrule.h"
 #include "compiler/driver/compile.h"
+#include "compiler/driver/output.h"
 #include "compiler/driver/reference.h"
 #include "compiler/driver/report.h"
-#include "compiler/source/read.h"
 #include "compiler/syntax/format.h"
-#include "jrule/io.h"
 
 namespace jrule::driver {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-struct Output {
-  std::string name;
-  std::string text;
-};
 
 std::string file_name(std::string const& rule, std::string const& suffix) {
   std::string name = rule + suffix;
@@ -91,60 +85,6 @@ bool keep_only(RuleReference const& reference, std::optional<int> n, Compilation
   return true;
 }
 
-std::string escape_for_make(std::string const& path) {
-  std::string text;
-  for (char const c : path) {
-    if (c == ' ' || c == '#') text += '\\';
-    if (c == '$') text += '$';
-    text += c;
-  }
-  return text;
-}
-
-// Paths as the command line gives them, relative ones too: a Makefile knows its targets by those.
-std::string depfile_text(std::vector<std::string> const& targets, std::vector<std::string> const& sources) {
-  std::string text;
-  for (std::string const& target : targets) text += escape_for_make(target) + ' ';
-  text.back() = ':';
-  for (std::string const& source : sources) text += " \\\n  " + escape_for_make(fs::path(source).lexically_normal().string());
-  return text + '\n';
-}
-
-bool same_content(std::string const& path, std::string const& text) {
-  auto const old = source::read_file(path);
-  return old && *old == text;
-}
-
-int write(EmitOptions const& options, Compilation const& compilation, std::vector<Output> const& outputs) {
-  std::error_code error;
-  for (Output const& output : outputs) {
-    for (std::string const& source : compilation.modules.paths) {
-      if (!fs::equivalent(fs::path(options.directory) / output.name, source, error)) continue;
-      print_error(fmt::format("`{}` would be overwritten: choose another folder with `-o`", source));
-      return exit_usage;
-    }
-  }
-  fs::create_directories(options.directory, error);
-  std::vector<std::string> targets;
-  for (Output const& output : outputs) {
-    std::string const path = (fs::path(options.directory) / output.name).string();
-    targets.push_back(fs::path(path).lexically_normal().string());
-    if (options.write_if_changed && same_content(path, output.text)) continue;
-    if (auto const written = write_whole_file(path, output.text); !written) {
-      print_error(written.error());
-      return exit_usage;
-    }
-  }
-  // Last and always: Ninja takes outputs without a depfile for dirty.
-  if (!options.depfile.empty()) {
-    if (auto const written = write_whole_file(options.depfile, depfile_text(targets, compilation.modules.paths)); !written) {
-      print_error(written.error());
-      return exit_usage;
-    }
-  }
-  return exit_ok;
-}
-
 }  // namespace
 
 int emit(EmitOptions const& options) {
@@ -153,13 +93,19 @@ int emit(EmitOptions const& options) {
     print_error("`--depfile` and `--write-if-changed` need a folder to write to: `-o DIR`");
     return exit_usage;
   }
+  if (options.stage == "plugin") return emit_plugin(options);
+  if (options.files.size() > 1) {
+    print_error(fmt::format("`emit {}` shows one file, `emit plugin` takes several", options.stage));
+    return exit_usage;
+  }
+  std::string const& file = options.files.front();
   // A file may have a colon in its name.
-  auto const reference = fs::exists(options.file) ? std::nullopt : parse_reference(options.file);
+  auto const reference = fs::exists(file) ? std::nullopt : parse_reference(file);
   if (reference && options.stage == "ast") {
     print_error("`emit ast` shows files, not rules");
     return exit_usage;
   }
-  auto const compilation = compile(reference ? reference->file : options.file, options.common);
+  auto const compilation = compile(reference ? reference->file : file, options.common);
   bool const found = compilation->read() && (!reference || keep_only(*reference, options.dimension, *compilation));
   // What a rule looks like can be shown even if it is refused; C++ is printed only for rules that are all accepted.
   std::vector<Output> outputs;
@@ -169,7 +115,7 @@ int emit(EmitOptions const& options) {
   int const result = status(compilation->diagnostics);
   if (options.stage == "cpp" && result != exit_ok) return result;
   if (!options.directory.empty() && compilation->read()) {
-    int const written = write(options, *compilation, outputs);
+    int const written = write_outputs(options, compilation->modules.paths, outputs);
     return written == exit_ok ? result : written;
   }
   for (Output const& output : outputs) {

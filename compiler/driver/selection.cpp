@@ -8,7 +8,7 @@ namespace jrule::driver {
 
 namespace {
 
-Result<Dart> select_one(Map const& map, std::string_view part) {
+Result<Dart> select_one(Selectable const& map, std::string_view part) {
   std::size_t const colon = part.find(':');
   std::string_view const what = part.substr(0, colon);
   std::string_view const number = colon == std::string_view::npos ? std::string_view{} : part.substr(colon + 1);
@@ -25,21 +25,20 @@ Result<Dart> select_one(Map const& map, std::string_view part) {
                 fmt::format("`{}` selects nothing: write `all`, `dart:N`, `vertex:N`, `edge:N`, `face:N` or `volume:N`", part));
   }
   if (!dimension) {
-    if (!map.contains(n)) return fail(Error::Kind::bad_input, fmt::format("there is no dart {}: the map has {} darts", n, map.dart_count()));
+    if (!map.contains(n)) return fail(Error::Kind::bad_input, fmt::format("there is no dart {}: the map has {} darts", n, map.dart_count));
     return n;
   }
-  auto const type = cell_orbit(map.model(), *dimension);
-  if (!type) return fail(Error::Kind::bad_input, fmt::format("a map of dimension {} has no {}-cells", map.model().dimension, *dimension));
-  std::vector<Dart> const first = number_orbits(map, *type).first;
-  if (n >= first.size()) {
-    return fail(Error::Kind::bad_input, fmt::format("there is no {} {}: the map has {} of them, numbered from 0", what, n, first.size()));
+  auto const first = map.cells(*dimension);
+  if (!first) return fail(Error::Kind::bad_input, fmt::format("a map of dimension {} has no {}-cells", map.dimension, *dimension));
+  if (n >= first->size()) {
+    return fail(Error::Kind::bad_input, fmt::format("there is no {} {}: the map has {} of them, numbered from 0", what, n, first->size()));
   }
-  return first[n];
+  return (*first)[n];
 }
 
 }  // namespace
 
-Result<std::vector<Dart>> select(Map const& map, std::string const& selection) {
+Result<std::vector<Dart>> select(Selectable const& map, std::string const& selection) {
   std::vector<Dart> darts;
   std::string_view rest = selection;
   while (true) {
@@ -50,6 +49,15 @@ Result<std::vector<Dart>> select(Map const& map, std::string const& selection) {
     if (comma == std::string_view::npos) return darts;
     rest.remove_prefix(comma + 1);
   }
+}
+
+Result<std::vector<Dart>> select(Map const& map, std::string const& selection) {
+  auto const contains = [&](Dart d) { return map.contains(d); };
+  auto const numbered = [&](int dimension) -> std::optional<std::vector<Dart>> {
+    if (!cell_orbit(map.model(), dimension)) return {};
+    return cells(map, dimension);
+  };
+  return select(Selectable{map.model().dimension, map.dart_count(), contains, numbered}, selection);
 }
 
 }  // namespace jrule::driver
