@@ -40,7 +40,8 @@ int emit_plugin(EmitOptions const& options) {
     for (auto const& compilation : compilations) {
       ir::Program const& program = compilation->program;
       modules.push_back({program, {}, compilation->sources, compilation->diagnostics});
-      for (std::size_t i = 0; i < program.rules.size(); ++i) modules.back().rules.push_back({&program.rules[i], &compilation->verdicts[i].plan});
+      for (std::size_t i = 0; i < program.rules.size(); ++i)
+        modules.back().rules.push_back({&program.rules[i], &compilation->verdicts[i].plan});
     }
     std::string const name = options.name.empty() ? modules.front().program.module : options.name;
     file = cpp::emit_plugin(name, modules, {options.name_space, options.header_prefix});
@@ -53,7 +54,8 @@ int emit_plugin(EmitOptions const& options) {
     sources.insert(sources.end(), compilation->modules.paths.begin(), compilation->modules.paths.end());
   }
   if (!file) return result;
-  if (!options.directory.empty()) return write_outputs(options, sources, {{std::move(file->name), std::move(file->text)}});
+  if (!options.directory.empty())
+    return write_outputs(options, sources, {{std::move(file->name), std::move(file->text)}});
   fmt::print("// ---- {} ----\n{}", file->name, file->text);
   return result;
 }

@@ -29,7 +29,8 @@ std::string depfile_text(std::vector<std::string> const& targets, std::vector<st
   std::string text;
   for (std::string const& target : targets) text += escape_for_make(target) + ' ';
   text.back() = ':';
-  for (std::string const& source : sources) text += " \\\n  " + escape_for_make(fs::path(source).lexically_normal().string());
+  for (std::string const& source : sources)
+    text += " \\\n  " + escape_for_make(fs::path(source).lexically_normal().string());
   return text + '\n';
 }
 
@@ -40,7 +41,8 @@ bool same_content(std::string const& path, std::string const& text) {
 
 }  // namespace
 
-int write_outputs(EmitOptions const& options, std::vector<std::string> const& sources, std::vector<Output> const& outputs) {
+int write_outputs(EmitOptions const& options, std::vector<std::string> const& sources,
+                  std::vector<Output> const& outputs) {
   std::error_code error;
   for (Output const& output : outputs) {
     for (std::string const& source : sources) {

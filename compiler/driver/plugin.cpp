@@ -39,7 +39,8 @@ Result<std::vector<jrule_value>> parse_arguments(jrule_rule const& rule, std::ve
   std::vector<NamedType> parameters;
   for (std::uint32_t p = 0; p < rule.parameter_count; ++p) {
     jrule_parameter const& parameter = rule.parameters[p];
-    parameters.push_back({parameter.name, static_cast<Type>(parameter.type), parameter.default_kind != JRULE_NO_DEFAULT});
+    parameters.push_back(
+        {parameter.name, static_cast<Type>(parameter.type), parameter.default_kind != JRULE_NO_DEFAULT});
   }
   auto const values = parse_arguments(rule.name, parameters, arguments);
   if (!values) return tl::unexpected(values.error());
@@ -54,10 +55,12 @@ Result<std::string> apply_at(Plugin const& plugin, std::uint32_t number, PluginM
   jrule_rule const& rule = plugin.entry().rules[number];
   std::vector<Dart> hooks;
   if (rule.hook_count == 0) {
-    if (!at.empty()) return fail(Error::Kind::bad_input, fmt::format("`{}` has no hook: `--at` says nothing here", rule.name));
+    if (!at.empty())
+      return fail(Error::Kind::bad_input, fmt::format("`{}` has no hook: `--at` says nothing here", rule.name));
   } else if (at.empty() || at == "all") {
     if (rule.hook_count > 1) {
-      return fail(Error::Kind::bad_input, fmt::format("`{}` has {} hooks: give a dart for each, `--at dart:3,dart:17`", rule.name, rule.hook_count));
+      return fail(Error::Kind::bad_input, fmt::format("`{}` has {} hooks: give a dart for each, `--at dart:3,dart:17`",
+                                                      rule.name, rule.hook_count));
     }
     auto const applied = plugin.apply_everywhere(map, number, arguments);
     if (!applied) return tl::unexpected(applied.error());
@@ -79,13 +82,16 @@ Result<PluginMap> read_input(Plugin const& plugin, jrule_rule const& rule, std::
 }
 
 Result<void> apply_and_print(ApplyOptions const& options) {
-  if (!options.picture.empty()) return fail(Error::Kind::bad_input, "`--picture` draws what rules of a source file give, not those of a plugin");
+  if (!options.picture.empty())
+    return fail(Error::Kind::bad_input, "`--picture` draws what rules of a source file give, not those of a plugin");
   auto const plugin = Plugin::load(options.plugin);
   if (!plugin) return tl::unexpected(plugin.error());
   auto const number = plugin->find_rule(options.rule);
   if (!number) return tl::unexpected(number.error());
   jrule_rule const& rule = plugin->entry().rules[*number];
-  if (rule.not_callable != nullptr) return fail(Error::Kind::bad_input, fmt::format("`{}` cannot be applied from here: {}", rule.name, rule.not_callable));
+  if (rule.not_callable != nullptr)
+    return fail(Error::Kind::bad_input,
+                fmt::format("`{}` cannot be applied from here: {}", rule.name, rule.not_callable));
   auto const arguments = parse_arguments(rule, options.values);
   if (!arguments) return tl::unexpected(arguments.error());
   auto const map = read_input(*plugin, rule, options.in);
@@ -120,14 +126,17 @@ std::string default_text(std::int32_t kind, jrule_value const& value) {
   return kind == JRULE_COMPUTED_DEFAULT ? " = (computed)" : " = " + to_string(from_c(value));
 }
 
-std::string counted(std::uint32_t count, char const* noun) { return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s"); }
+std::string counted(std::uint32_t count, char const* noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
 
 void print_modeler(jrule_modeler const& modeler) {
   fmt::print("\nmodeler {} on {}({})\n", modeler.name, modeler.model, modeler.dimension);
   print_doc(modeler.doc, 2);
   for (std::uint32_t e = 0; e < modeler.embedding_count; ++e) {
     jrule_embedding const& embedding = modeler.embeddings[e];
-    fmt::print("  embedding {} : {} -> {}{}\n", embedding.name, embedding.orbit, to_string(static_cast<Type>(embedding.type)),
+    fmt::print("  embedding {} : {} -> {}{}\n", embedding.name, embedding.orbit,
+               to_string(static_cast<Type>(embedding.type)),
                default_text(embedding.default_kind, embedding.default_value));
     print_doc(embedding.doc, 4);
   }
@@ -170,7 +179,8 @@ int info_plugin(InfoOptions const& options) {
     return loaded.error().kind == Error::Kind::bad_input ? exit_refused : exit_usage;
   }
   jrule_plugin const& plugin = loaded->entry();
-  fmt::print("plugin {}: {}, {}\n", plugin.name, counted(plugin.modeler_count, "modeler"), counted(plugin.rule_count, "rule"));
+  fmt::print("plugin {}: {}, {}\n", plugin.name, counted(plugin.modeler_count, "modeler"),
+             counted(plugin.rule_count, "rule"));
   for (std::uint32_t m = 0; m < plugin.modeler_count; ++m) print_modeler(plugin.modelers[m]);
   for (std::uint32_t r = 0; r < plugin.rule_count; ++r) print_rule(plugin, plugin.rules[r]);
   return exit_ok;

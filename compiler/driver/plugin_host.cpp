@@ -36,13 +36,15 @@ Result<void> run(Call call) {
 // What is wrong with an entry; nothing if this program can use it.
 std::string fault(jrule_plugin const& entry) {
   if (entry.abi_version != JRULE_PLUGIN_ABI_VERSION) {
-    return fmt::format("it is a plugin of version {}, but this jrule takes version {}: build it again", entry.abi_version, JRULE_PLUGIN_ABI_VERSION);
+    return fmt::format("it is a plugin of version {}, but this jrule takes version {}: build it again",
+                       entry.abi_version, JRULE_PLUGIN_ABI_VERSION);
   }
-  bool const fits = entry.struct_size >= sizeof(jrule_plugin) && entry.error_size == sizeof(jrule_error) && entry.value_size == sizeof(jrule_value) &&
-                    entry.embedding_size == sizeof(jrule_embedding) && entry.modeler_size == sizeof(jrule_modeler) &&
-                    entry.hook_size == sizeof(jrule_hook) && entry.parameter_size == sizeof(jrule_parameter) &&
-                    entry.node_size == sizeof(jrule_node) && entry.rule_size == sizeof(jrule_rule) &&
-                    entry.summary_size == sizeof(jrule_summary) && entry.progress_size == sizeof(jrule_progress);
+  bool const fits = entry.struct_size >= sizeof(jrule_plugin) && entry.error_size == sizeof(jrule_error) &&
+                    entry.value_size == sizeof(jrule_value) && entry.embedding_size == sizeof(jrule_embedding) &&
+                    entry.modeler_size == sizeof(jrule_modeler) && entry.hook_size == sizeof(jrule_hook) &&
+                    entry.parameter_size == sizeof(jrule_parameter) && entry.node_size == sizeof(jrule_node) &&
+                    entry.rule_size == sizeof(jrule_rule) && entry.summary_size == sizeof(jrule_summary) &&
+                    entry.progress_size == sizeof(jrule_progress);
   return fits ? "" : "its tables are of other sizes than this jrule's: build it again";
 }
 
@@ -65,7 +67,8 @@ Result<Plugin> Plugin::load(std::string const& path) {
     return fail(Error::Kind::bad_input, "it cannot be loaded as a plugin: " + text, path);
   }
   auto const* const entry = static_cast<jrule_plugin const*>(dlsym(library.get(), JRULE_PLUGIN_ENTRY));
-  if (entry == nullptr) return fail(Error::Kind::bad_input, "it is no plugin: it does not export `" JRULE_PLUGIN_ENTRY "`", path);
+  if (entry == nullptr)
+    return fail(Error::Kind::bad_input, "it is no plugin: it does not export `" JRULE_PLUGIN_ENTRY "`", path);
   if (std::string const what = fault(*entry); !what.empty()) return fail(Error::Kind::bad_input, what, path);
   return Plugin(std::move(library), entry, path);
 }
@@ -76,9 +79,14 @@ Result<std::uint32_t> Plugin::find_rule(std::string const& name) const {
     jrule_rule const& rule = entry_->rules[r];
     if (rule.name == name || fmt::format("{}:{}", rule.module, rule.name) == name) found.push_back(r);
   }
-  if (found.empty()) return fail(Error::Kind::bad_input, fmt::format("it has no rule `{}`: `jrule info` lists what it has", name), path_);
+  if (found.empty())
+    return fail(Error::Kind::bad_input, fmt::format("it has no rule `{}`: `jrule info` lists what it has", name),
+                path_);
   if (found.size() > 1) {
-    return fail(Error::Kind::bad_input, fmt::format("{} modules have a rule `{}`: write `{}:{}`", found.size(), name, entry_->rules[found.front()].module, name), path_);
+    return fail(Error::Kind::bad_input,
+                fmt::format("{} modules have a rule `{}`: write `{}:{}`", found.size(), name,
+                            entry_->rules[found.front()].module, name),
+                path_);
   }
   return found.front();
 }
@@ -109,9 +117,11 @@ Result<void> Plugin::apply(PluginMap const& map, std::uint32_t rule, std::vector
   });
 }
 
-Result<void> Plugin::apply_everywhere(PluginMap const& map, std::uint32_t rule, std::vector<jrule_value> const& arguments) const {
+Result<void> Plugin::apply_everywhere(PluginMap const& map, std::uint32_t rule,
+                                      std::vector<jrule_value> const& arguments) const {
   return run([&](jrule_error* error) {
-    return entry_->apply_everywhere(map.get(), rule, arguments.data(), static_cast<std::uint32_t>(arguments.size()), nullptr, error);
+    return entry_->apply_everywhere(map.get(), rule, arguments.data(), static_cast<std::uint32_t>(arguments.size()),
+                                    nullptr, error);
   });
 }
 

@@ -19,7 +19,8 @@ using PluginMap = std::unique_ptr<jrule_map, void (*)(jrule_map*)>;
 
 class Plugin {
  public:
-  /// Errors: the file cannot be read (Kind::io); it is no library, has no entry, or one of another version (Kind::bad_input).
+  /// Errors: the file cannot be read (Kind::io); it is no library, has no entry, or one of another version
+  /// (Kind::bad_input).
   static Result<Plugin> load(std::string const& path);
 
   jrule_plugin const& entry() const noexcept { return *entry_; }
@@ -30,8 +31,10 @@ class Plugin {
   Result<PluginMap> create(std::uint32_t modeler) const;
   Result<PluginMap> read(std::uint32_t modeler, std::string const& path) const;
   Result<void> write(PluginMap const& map, std::string const& path) const;
-  Result<void> apply(PluginMap const& map, std::uint32_t rule, std::vector<Dart> const& hooks, std::vector<jrule_value> const& arguments) const;
-  Result<void> apply_everywhere(PluginMap const& map, std::uint32_t rule, std::vector<jrule_value> const& arguments) const;
+  Result<void> apply(PluginMap const& map, std::uint32_t rule, std::vector<Dart> const& hooks,
+                     std::vector<jrule_value> const& arguments) const;
+  Result<void> apply_everywhere(PluginMap const& map, std::uint32_t rule,
+                                std::vector<jrule_value> const& arguments) const;
   Result<Summary> summarize(PluginMap const& map) const;
   /// As `jrule apply --at` takes them.
   Result<std::vector<Dart>> select(PluginMap const& map, std::string const& selection) const;

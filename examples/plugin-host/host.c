@@ -38,7 +38,8 @@ static void list(jrule_plugin const* plugin) {
   for (r = 0; r < plugin->rule_count; ++r) {
     jrule_rule const* rule = &plugin->rules[r];
     printf("%s(", rule->name);
-    for (i = 0; i < rule->hook_count; ++i) printf("%s%s %s", i == 0 ? "" : ", ", rule->hooks[i].name, rule->hooks[i].orbit);
+    for (i = 0; i < rule->hook_count; ++i)
+      printf("%s%s %s", i == 0 ? "" : ", ", rule->hooks[i].name, rule->hooks[i].orbit);
     for (i = 0; i < rule->parameter_count; ++i) printf("; %s [%s]", rule->parameters[i].name, rule->parameters[i].unit);
     printf(")  %s\n", rule->doc);
   }
@@ -60,7 +61,8 @@ static int failed(jrule_error const* error) {
   return 1;
 }
 
-static int apply(jrule_plugin const* plugin, uint32_t number, char const* in, char const* out, int dart_count, char** darts) {
+static int apply(jrule_plugin const* plugin, uint32_t number, char const* in, char const* out, int dart_count,
+                 char** darts) {
   jrule_rule const* rule = &plugin->rules[number];
   jrule_value arguments[MAX_ARGUMENTS];
   jrule_dart hooks[MAX_DARTS];

@@ -5,9 +5,12 @@ file(GLOB rules "${CMAKE_CURRENT_LIST_DIR}/rules/*.jrule" "${JRULE_SOURCE_DIR}/e
 foreach(file IN LISTS rules)
   get_filename_component(name "${file}" NAME_WLE)
   run(ignored STATUS 0 COMMAND "${JRULE}" emit cpp "${file}" -o "${WORK_DIR}")
-  run(output STATUS 0 COMMAND "${COMPILER}" -std=c++20 -fsyntax-only -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
-      -Werror -I "${JRULE_SOURCE_DIR}/runtime/include" -I "${CMAKE_CURRENT_LIST_DIR}/rules" "${WORK_DIR}/${name}.cpp")
-  if(NOT output STREQUAL "")
-    message(FATAL_ERROR "${name}.cpp:\n${output}")
-  endif()
+  run(ignored STATUS 0 COMMAND "${JRULE}" emit plugin "${file}" -o "${WORK_DIR}")
+  foreach(generated "${name}.cpp" "${name}_plugin.cpp")
+    run(output STATUS 0 COMMAND "${COMPILER}" -std=c++20 -fsyntax-only -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
+        -Werror -I "${JRULE_SOURCE_DIR}/runtime/include" -I "${CMAKE_CURRENT_LIST_DIR}/rules" "${WORK_DIR}/${generated}")
+    if(NOT output STREQUAL "")
+      message(FATAL_ERROR "${generated}:\n${output}")
+    endif()
+  endforeach()
 endforeach()

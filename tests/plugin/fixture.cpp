@@ -50,7 +50,8 @@ std::int32_t WithPlugin::apply(MapPtr const& map, std::uint32_t rule, std::vecto
 
 std::int32_t WithPlugin::everywhere(MapPtr const& map, std::uint32_t rule, std::vector<jrule_value> const& arguments,
                                     jrule_progress const* progress) {
-  return plugin_->apply_everywhere(map.get(), rule, arguments.data(), static_cast<std::uint32_t>(arguments.size()), progress, &error_);
+  return plugin_->apply_everywhere(map.get(), rule, arguments.data(), static_cast<std::uint32_t>(arguments.size()),
+                                   progress, &error_);
 }
 
 }  // namespace jrule::tests

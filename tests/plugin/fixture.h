@@ -29,7 +29,8 @@ class WithPlugin : public CommandLine {
   /// The map's .jmap text: what a failed call must not change.
   std::string text(MapPtr const& map) const;
 
-  std::int32_t apply(MapPtr const& map, std::uint32_t rule, std::vector<jrule_dart> const& hooks, std::vector<jrule_value> const& arguments);
+  std::int32_t apply(MapPtr const& map, std::uint32_t rule, std::vector<jrule_dart> const& hooks,
+                     std::vector<jrule_value> const& arguments);
   std::int32_t everywhere(MapPtr const& map, std::uint32_t rule, std::vector<jrule_value> const& arguments,
                           jrule_progress const* progress = nullptr);
   std::string message() const { return error_.message; }

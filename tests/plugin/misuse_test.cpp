@@ -71,30 +71,38 @@ TEST_F(Misuse, OfApply) {
   bad(apply(map, cone, {0}, {real(1)}), "the parameter `apex` of `cone` is a Point3, not Real");
   bad(apply(map, cone, {0}, {{77, 0, 0, {}}}), "the parameter `apex` of `cone` is a Point3, not type 77");
   bad(apply(map, cone, {0}, {{-7, 0, 0, {}}}), "the parameter `apex` of `cone` is a Point3, not type -7");
-  bad(apply(map, cone, {0}, {triple(JRULE_POINT3, 0, std::nan(""), 0)}), "the parameter `apex` of `cone` has a number that is not finite");
-  bad(apply(map, square, {}, {real(std::numeric_limits<double>::infinity())}), "the parameter `size` of `square` has a number that is not finite");
-  bad(apply(map, paint, {0}, {by_default(), by_default(), by_default(), by_default()}), "the parameter `paint` of `paint` has no default");
-  bad(apply(map, find("outside", "cover"), {0}, {by_default()}), "`cover` cannot be called: its parameter `cloud` is of the C++ type `Cloud`");
+  bad(apply(map, cone, {0}, {triple(JRULE_POINT3, 0, std::nan(""), 0)}),
+      "the parameter `apex` of `cone` has a number that is not finite");
+  bad(apply(map, square, {}, {real(std::numeric_limits<double>::infinity())}),
+      "the parameter `size` of `square` has a number that is not finite");
+  bad(apply(map, paint, {0}, {by_default(), by_default(), by_default(), by_default()}),
+      "the parameter `paint` of `paint` has no default");
+  bad(apply(map, find("outside", "cover"), {0}, {by_default()}),
+      "`cover` cannot be called: its parameter `cloud` is of the C++ type `Cloud`");
   bad(plugin_->apply(nullptr, cone, nullptr, 0, nullptr, 0, nullptr, 0, &error_), "the map is null");
   bad(plugin_->apply(map.get(), cone, nullptr, 1, nullptr, 1, nullptr, 0, &error_), "the hooks of `cone` are null");
   jrule_dart const dart = 0;
   bad(plugin_->apply(map.get(), cone, &dart, 1, nullptr, 1, nullptr, 0, &error_), "the parameters of `cone` are null");
   jrule_value const value = by_default();
   jrule_dart darts[3] = {9, 9, 9};
-  bad(plugin_->apply(map.get(), cone, &dart, 1, &value, 1, darts, 3, &error_), "`cone` gives 4 darts: there has to be room for them, or null and 0");
-  bad(plugin_->apply(map.get(), cone, &dart, 1, &value, 1, nullptr, 4, &error_), "`cone` gives 4 darts: there has to be room for them, or null and 0");
+  bad(plugin_->apply(map.get(), cone, &dart, 1, &value, 1, darts, 3, &error_),
+      "`cone` gives 4 darts: there has to be room for them, or null and 0");
+  bad(plugin_->apply(map.get(), cone, &dart, 1, &value, 1, nullptr, 4, &error_),
+      "`cone` gives 4 darts: there has to be room for them, or null and 0");
   EXPECT_EQ(darts[0], 9U);
   EXPECT_EQ(plugin_->apply(map.get(), 99, nullptr, 0, nullptr, 0, nullptr, 0, nullptr), JRULE_BAD_ARGUMENT);
 
   expect(apply(map, cone, {0}, {value}), JRULE_NOT_APPLICABLE,
-         "`cone` is not applicable: the 2-arc of `a` has to be a loop, but from dart 0 it leads to dart " + std::to_string([&] {
-           jrule_dart to = 0;
-           EXPECT_EQ(plugin_->target(map.get(), 0, 2, &to, nullptr), JRULE_OK);
-           return to;
-         }()));
+         "`cone` is not applicable: the 2-arc of `a` has to be a loop, but from dart 0 it leads to dart " +
+             std::to_string([&] {
+               jrule_dart to = 0;
+               EXPECT_EQ(plugin_->target(map.get(), 0, 2, &to, nullptr), JRULE_OK);
+               return to;
+             }()));
   for (jrule_dart const absent : {48U, 1000000U, JRULE_NO_DART}) {
-    expect(apply(map, cone, {absent}, {value}), JRULE_NOT_APPLICABLE,
-           "`cone` is not applicable: the map has no dart " + std::to_string(absent) + " to be matched by the hook `a`");
+    expect(
+        apply(map, cone, {absent}, {value}), JRULE_NOT_APPLICABLE,
+        "`cone` is not applicable: the map has no dart " + std::to_string(absent) + " to be matched by the hook `a`");
   }
   EXPECT_EQ(text(map), before);
 }
@@ -117,7 +125,8 @@ TEST_F(Misuse, OfEverywhere) {
   std::string const before = text(map);
   bad(everywhere(map, 99, {}), "there is no rule 99: the plugin has 11");
   bad(everywhere(map, find("sew"), {}), "`sew` has 2 hooks: only a rule of one hook can be applied everywhere");
-  bad(everywhere(map, find("square"), {real(1)}), "`square` has 0 hooks: only a rule of one hook can be applied everywhere");
+  bad(everywhere(map, find("square"), {real(1)}),
+      "`square` has 0 hooks: only a rule of one hook can be applied everywhere");
   bad(everywhere(map, find("cone"), {}), "`cone` has 1 parameter, not 0");
   bad(plugin_->apply_everywhere(nullptr, 0, nullptr, 0, nullptr, &error_), "the map is null");
   EXPECT_EQ(everywhere(map, find("cone"), {by_default()}), JRULE_NOT_APPLICABLE) << message();
@@ -132,7 +141,8 @@ TEST_F(Misuse, ACallbackThatThrows) {
     MapPtr const map = cube();
     std::string const before = text(map);
     jrule_progress const progress{[](void*, double) -> std::int32_t { throw 1; }, nullptr};
-    expect(everywhere(map, find(name), {}, &progress), JRULE_THROWN, "an exception that is no std::exception was thrown");
+    expect(everywhere(map, find(name), {}, &progress), JRULE_THROWN,
+           "an exception that is no std::exception was thrown");
     EXPECT_EQ(text(map), before);
   }
 }
@@ -142,7 +152,8 @@ TEST_F(Misuse, CppFromOutsideThatThrows) {
   std::string const before = text(map);
   std::uint32_t const soak = find("outside", "soak");
   expect(apply(map, soak, {0}, {real(-1), by_default()}), JRULE_THROWN, "negative rain");
-  expect(apply(map, soak, {0}, {real(101), by_default()}), JRULE_THROWN, "an exception that is no std::exception was thrown");
+  expect(apply(map, soak, {0}, {real(101), by_default()}), JRULE_THROWN,
+         "an exception that is no std::exception was thrown");
   expect(everywhere(map, soak, {real(-1), by_default()}), JRULE_THROWN, "negative rain");
   EXPECT_EQ(text(map), before);
 }
@@ -162,7 +173,8 @@ TEST_F(Misuse, OfValuesOfCppTypes) {
   MapPtr const sky(raw, plugin_->destroy);
   jrule_value value = real(1);
   bad(plugin_->value(sky.get(), 0, 0, &value, &error_), "the values of `cover` are of the C++ type `weather::Cloud`");
-  bad(plugin_->set_value(sky.get(), 0, 0, &value, &error_), "the values of `cover` are of the C++ type `weather::Cloud`");
+  bad(plugin_->set_value(sky.get(), 0, 0, &value, &error_),
+      "the values of `cover` are of the C++ type `weather::Cloud`");
 }
 
 TEST_F(Misuse, OfQueries) {
@@ -171,12 +183,14 @@ TEST_F(Misuse, OfQueries) {
   jrule_dart dart = 0;
   std::uint32_t count = 0;
   std::int32_t there = 0;
-  for (std::int32_t const dimension : {-1, 3, 9, 10, 300, std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max()}) {
+  for (std::int32_t const dimension :
+       {-1, 3, 9, 10, 300, std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max()}) {
     std::string const d = std::to_string(dimension);
     bad(plugin_->target(map.get(), 0, dimension, &dart, &error_), "the map has no arcs of dimension " + d);
     bad(plugin_->source(map.get(), 0, dimension, &dart, &error_), "the map has no arcs of dimension " + d);
     bad(plugin_->cells(map.get(), dimension, nullptr, 0, &count, &error_), "the map has no cells of dimension " + d);
-    bad(plugin_->orbit(map.get(), 0, &dimension, 1, nullptr, 0, &count, &error_), "the map has no arcs of dimension " + d);
+    bad(plugin_->orbit(map.get(), 0, &dimension, 1, nullptr, 0, &count, &error_),
+        "the map has no arcs of dimension " + d);
   }
   for (jrule_dart const absent : {48U, JRULE_NO_DART}) {
     std::string const text = "the map has no dart " + std::to_string(absent);
@@ -199,7 +213,8 @@ TEST_F(Misuse, OfQueries) {
   bad(plugin_->set_value(map.get(), 2, 0, &value, &error_), "the embedding `visits` is a Int, not extern");
 
   std::int32_t const eleven[11] = {};
-  bad(plugin_->orbit(map.get(), 0, eleven, 11, nullptr, 0, &count, &error_), "an orbit has each dimension once at most");
+  bad(plugin_->orbit(map.get(), 0, eleven, 11, nullptr, 0, &count, &error_),
+      "an orbit has each dimension once at most");
   bad(plugin_->orbit(map.get(), 0, nullptr, 1, nullptr, 0, &count, &error_), "the pointer to the dimensions is null");
   EXPECT_EQ(plugin_->orbit(map.get(), 5, nullptr, 0, &dart, 1, &count, &error_), JRULE_OK);
   EXPECT_EQ(count, 1U);
@@ -232,14 +247,16 @@ TEST_F(Misuse, OfQueries) {
 // Two plugins in one program: what one has made the other does not touch.
 TEST_F(Misuse, OfMapsOfAnotherLibrary) {
   file("other.so", content(JRULE_PLUGIN));
-  std::unique_ptr<void, int (*)(void*)> const library(dlopen((folder() / "other.so").c_str(), RTLD_NOW | RTLD_LOCAL), dlclose);
+  std::unique_ptr<void, int (*)(void*)> const library(dlopen((folder() / "other.so").c_str(), RTLD_NOW | RTLD_LOCAL),
+                                                      dlclose);
   ASSERT_TRUE(library) << dlerror();
   auto const* const other = static_cast<jrule_plugin const*>(dlsym(library.get(), JRULE_PLUGIN_ENTRY));
   ASSERT_TRUE(other != nullptr && other != plugin_);
   MapPtr const map = cube();
   jrule_summary summary{};
   bad(other->summarize(map.get(), &summary, &error_), "the map is not of this plugin");
-  bad(other->apply_everywhere(map.get(), find("quad_subdivision"), nullptr, 0, nullptr, &error_), "the map is not of this plugin");
+  bad(other->apply_everywhere(map.get(), find("quad_subdivision"), nullptr, 0, nullptr, &error_),
+      "the map is not of this plugin");
   other->destroy(map.get());  // left alone
   EXPECT_EQ(plugin_->summarize(map.get(), &summary, &error_), JRULE_OK);
   EXPECT_EQ(summary.cells[2], 6U);

@@ -165,15 +165,29 @@ TEST_F(Plugins, DoesWhatTheInterpreterDoes) {
       {"patch.obj", "open_edge", "all", {}, {}, {}},
       {"patch.obj", "mark_alone", "all", {}, {}, {}},
       {"patch.obj", "zip", "dart:0,dart:4", {0, 4}, {}, {}},
-      {"cube.obj", "paint", "dart:9", {9}, {triple(JRULE_COLOR, 0.25, 0.5, 1), integer(-2), boolean(false), by_default()}, {"paint=0.25,0.5,1", "more=-2", "mark=false"}},
-      {"cube.obj", "paint", "all", {}, {triple(JRULE_COLOR, 0, 0, 0.1), by_default(), by_default(), triple(JRULE_VEC3, 0, 3, 4)}, {"paint=0,0,0.1", "shift=0,3,4"}},
+      {"cube.obj",
+       "paint",
+       "dart:9",
+       {9},
+       {triple(JRULE_COLOR, 0.25, 0.5, 1), integer(-2), boolean(false), by_default()},
+       {"paint=0.25,0.5,1", "more=-2", "mark=false"}},
+      {"cube.obj",
+       "paint",
+       "all",
+       {},
+       {triple(JRULE_COLOR, 0, 0, 0.1), by_default(), by_default(), triple(JRULE_VEC3, 0, 3, 4)},
+       {"paint=0,0,0.1", "shift=0,3,4"}},
   };
   int compared = 0;
   for (Case const& c : cases) {
     SCOPED_TRACE(c.rule + " on " + c.mesh + " at " + c.at);
     MapPtr const map = read(data + c.mesh);
-    std::int32_t const code = c.hooks.empty() ? everywhere(map, find(c.rule), c.arguments) : apply(map, find(c.rule), c.hooks, c.arguments);
-    std::vector<std::string> words{"apply", JRULE_SOURCE_DIR "/tests/plugin/rules/shapes.jrule:" + c.rule, "--in", data + c.mesh, "--out", "a.jmap", "--at", c.at};
+    std::int32_t const code =
+        c.hooks.empty() ? everywhere(map, find(c.rule), c.arguments) : apply(map, find(c.rule), c.hooks, c.arguments);
+    std::vector<std::string> words{"apply", JRULE_SOURCE_DIR "/tests/plugin/rules/shapes.jrule:" + c.rule,
+                                   "--in",  data + c.mesh,
+                                   "--out", "a.jmap",
+                                   "--at",  c.at};
     words.insert(words.end(), c.words.begin(), c.words.end());
     Outcome const outcome = jrule(words);
     ASSERT_EQ(code == JRULE_OK, outcome.exit_status == 0) << message() << '\n' << outcome.output;

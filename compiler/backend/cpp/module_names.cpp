@@ -81,7 +81,9 @@ struct Naming {
     PublicNames result;
     // "Terrain.quad" gives "terrain_quad".
     std::size_t const dot = rule.name.find('.');
-    result.function = dot == std::string::npos ? identifier(rule.name) : identifier(snake_case(rule.name.substr(0, dot)) + "_" + rule.name.substr(dot + 1));
+    result.function = dot == std::string::npos
+                          ? identifier(rule.name)
+                          : identifier(snake_case(rule.name.substr(0, dot)) + "_" + rule.name.substr(dot + 1));
     std::string const what = fmt::format("the rule `{}`", rule.name);
     source::Span const place = rule.import ? *rule.import : rule.span;
     if (std::string_view const why = unusable(rule.name.substr(0, rule.name.find('['))); !why.empty()) {

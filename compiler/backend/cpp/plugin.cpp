@@ -15,11 +15,14 @@ namespace jrule::cpp {
 namespace {
 
 // One line of a table: text for people, without the ends of its lines' layout.
-std::string doc_literal(std::string const& doc) { return literal(fmt::format("{}", fmt::join(documentation(doc), "\n"))); }
+std::string doc_literal(std::string const& doc) {
+  return literal(fmt::format("{}", fmt::join(documentation(doc), "\n")));
+}
 
 std::string type_code(Type type) {
   std::string code = "JRULE_" + (type == Type::Extern ? "EXTERN" : to_string(type));
-  std::transform(code.begin(), code.end(), code.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  std::transform(code.begin(), code.end(), code.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   return code;
 }
 
@@ -55,13 +58,16 @@ std::string hook_orbit(ir::RuleScheme const& rule, ir::NodeId hook) {
 
 std::string not_callable(ir::RuleScheme const& rule) {
   for (ir::Parameter const& parameter : rule.parameters) {
-    if (parameter.external) return literal(fmt::format("its parameter `{}` is of the C++ type `{}`", parameter.name, parameter.external->name));
+    if (parameter.external)
+      return literal(
+          fmt::format("its parameter `{}` is of the C++ type `{}`", parameter.name, parameter.external->name));
   }
   return "nullptr";
 }
 
 bool is_callable(ir::RuleScheme const& rule) {
-  return std::none_of(rule.parameters.begin(), rule.parameters.end(), [](ir::Parameter const& p) { return p.external != nullptr; });
+  return std::none_of(rule.parameters.begin(), rule.parameters.end(),
+                      [](ir::Parameter const& p) { return p.external != nullptr; });
 }
 
 // An array of a table; none, but a null pointer, if it has no elements.
@@ -92,7 +98,9 @@ struct PluginModeler {
 };
 
 // "std::get<jrule::Point3>(arguments[0])".
-std::string argument(ir::Parameter const& parameter, std::size_t p) { return fmt::format("std::get<{}>(arguments[{}])", type_name(parameter.type), p); }
+std::string argument(ir::Parameter const& parameter, std::size_t p) {
+  return fmt::format("std::get<{}>(arguments[{}])", type_name(parameter.type), p);
+}
 
 void write_call(Writer& out, PluginRule const& rule, bool everywhere) {
   Function const& f = rule.function;
@@ -109,8 +117,10 @@ void write_apply(Writer& out, PluginRule const& rule, std::size_t number) {
   Function const& f = rule.function;
   out.line();
   out.line("// {}: `{}`.", rule.module, f.rule.name);
-  out.open("Result<void> apply_{}(AnyMap& map, [[maybe_unused]] Dart const* hooks, [[maybe_unused]] Value const* arguments, [[maybe_unused]] Dart* darts) {{",
-           number);
+  out.open(
+      "Result<void> apply_{}(AnyMap& map, [[maybe_unused]] Dart const* hooks, [[maybe_unused]] Value const* arguments, "
+      "[[maybe_unused]] Dart* darts) {{",
+      number);
   write_call(out, rule, false);
   out.line("if (!applied) return tl::unexpected(applied.error());");
   std::size_t node = 0;
@@ -130,7 +140,8 @@ void write_computed_defaults(Writer& out, ir::RuleScheme const& rule, std::size_
   for (std::size_t p = 0; p < rule.parameters.size(); ++p) {
     ir::Parameter const& parameter = rule.parameters[p];
     if (parameter.computed_default) {
-      out.line("if (parameter == {}) return Value(std::in_place_type<{}>, {});", p, type_name(parameter.type), constant_expression(*parameter.computed_default));
+      out.line("if (parameter == {}) return Value(std::in_place_type<{}>, {});", p, type_name(parameter.type),
+               constant_expression(*parameter.computed_default));
     }
   }
   out.line("throw std::out_of_range(\"no computed default\");");
@@ -138,7 +149,8 @@ void write_computed_defaults(Writer& out, ir::RuleScheme const& rule, std::size_
 }
 
 bool has_computed_default(ir::RuleScheme const& rule) {
-  return std::any_of(rule.parameters.begin(), rule.parameters.end(), [](ir::Parameter const& p) { return p.computed_default != nullptr; });
+  return std::any_of(rule.parameters.begin(), rule.parameters.end(),
+                     [](ir::Parameter const& p) { return p.computed_default != nullptr; });
 }
 
 // A RuleCode; the functions that it names are written before.
@@ -149,7 +161,8 @@ std::string write_code(Writer& out, PluginRule const& rule, std::size_t number) 
   if (has_computed_default(f.rule)) write_computed_defaults(out, f.rule, number);
   OrbitType type;
   for (Letter const letter : f.rule.hook_type) type.words.push_back({letter});
-  return fmt::format("{{apply_{}, {}, {}, {}}}", number, f.independent ? fmt::format("apply_{}_at_once", number) : "nullptr",
+  return fmt::format("{{apply_{}, {}, {}, {}}}", number,
+                     f.independent ? fmt::format("apply_{}_at_once", number) : "nullptr",
                      f.rule.hooks.size() == 1 ? fmt::format("[] {{ return {}; }}", orbit_expression(type)) : "nullptr",
                      has_computed_default(f.rule) ? fmt::format("computed_default_{}", number) : "nullptr");
 }
@@ -160,13 +173,14 @@ std::string write_modeler(Writer& out, ir::Modeler const& modeler, std::size_t n
   for (std::size_t e = 0; e < modeler.embeddings.size(); ++e) {
     EmbeddingSpec const& spec = modeler.embeddings[e];
     std::string const doc = e < modeler.embedding_docs.size() ? modeler.embedding_docs[e] : "";
-    embeddings.elements.push_back(fmt::format("{{{}, {}, {}, {}, {}}}", literal(spec.name), doc_literal(doc), literal(jrule::to_string(spec.orbit)),
-                                              type_code(spec.type),
-                                              default_members(spec.default_value, modeler.externs_of(e).default_value != nullptr)));
+    embeddings.elements.push_back(fmt::format(
+        "{{{}, {}, {}, {}, {}}}", literal(spec.name), doc_literal(doc), literal(jrule::to_string(spec.orbit)),
+        type_code(spec.type), default_members(spec.default_value, modeler.externs_of(e).default_value != nullptr)));
   }
   write(out, embeddings);
-  return fmt::format("{{{}, {}, {}, {}, {}, {}, {}}}", literal(modeler.name), literal(modeler.module), doc_literal(modeler.doc),
-                     literal(modeler.model.name), modeler.model.dimension, embeddings.elements.size(), embeddings.reference());
+  return fmt::format("{{{}, {}, {}, {}, {}, {}, {}}}", literal(modeler.name), literal(modeler.module),
+                     doc_literal(modeler.doc), literal(modeler.model.name), modeler.model.dimension,
+                     embeddings.elements.size(), embeddings.reference());
 }
 
 // A jrule_rule; what it points to is written before.
@@ -175,11 +189,13 @@ std::string write_rule(Writer& out, PluginRule const& entry, std::size_t number)
   Array hooks{"jrule_hook", fmt::format("hooks_{}", number), {}};
   for (ir::NodeId const hook : rule.hooks) {
     ir::Node const& node = rule.nodes[hook];
-    hooks.elements.push_back(fmt::format("{{{}, {}, {}}}", literal(node.name), doc_literal(node.doc), literal(hook_orbit(rule, hook))));
+    hooks.elements.push_back(
+        fmt::format("{{{}, {}, {}}}", literal(node.name), doc_literal(node.doc), literal(hook_orbit(rule, hook))));
   }
   Array parameters{"jrule_parameter", fmt::format("parameters_{}", number), {}};
   for (ir::Parameter const& p : rule.parameters) {
-    parameters.elements.push_back(fmt::format("{{{}, {}, {}, {}, {}}}", literal(p.name), doc_literal(p.doc), literal(p.unit), type_code(p.type),
+    parameters.elements.push_back(fmt::format("{{{}, {}, {}, {}, {}}}", literal(p.name), doc_literal(p.doc),
+                                              literal(p.unit), type_code(p.type),
                                               default_members(p.default_value, p.computed_default != nullptr)));
   }
   Array nodes{"jrule_node", fmt::format("nodes_{}", number), {}};
@@ -187,9 +203,10 @@ std::string write_rule(Writer& out, PluginRule const& entry, std::size_t number)
     if (!node.deleted()) nodes.elements.push_back(fmt::format("{{{}, {}}}", literal(node.name), doc_literal(node.doc)));
   }
   for (Array const* array : {&hooks, &parameters, &nodes}) write(out, *array);
-  return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}", literal(rule.name), literal(entry.module), doc_literal(rule.doc),
-                     not_callable(rule), entry.modeler_index, hooks.elements.size(), hooks.reference(), parameters.elements.size(),
-                     nodes.elements.size(), parameters.reference(), nodes.reference());
+  return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}", literal(rule.name), literal(entry.module),
+                     doc_literal(rule.doc), not_callable(rule), entry.modeler_index, hooks.elements.size(),
+                     hooks.reference(), parameters.elements.size(), nodes.elements.size(), parameters.reference(),
+                     nodes.reference());
 }
 
 struct PluginTables {
@@ -212,9 +229,10 @@ struct PluginTables {
     Scope scope;
     for (std::string const& name : names.taken) scope.reserve(name);
     for (std::size_t i = 0; i < module.rules.size(); ++i) {
-      std::size_t const modeler = add(*module.rules[i].scheme->modeler, names.class_of(*module.rules[i].scheme->modeler));
-      rules.push_back({Function(module.rules[i], module.sources, names.rules[i], scope), names.name_space, modelers[modeler].name, modeler,
-                       module.program.module});
+      std::size_t const modeler =
+          add(*module.rules[i].scheme->modeler, names.class_of(*module.rules[i].scheme->modeler));
+      rules.push_back({Function(module.rules[i], module.sources, names.rules[i], scope), names.name_space,
+                       modelers[modeler].name, modeler, module.program.module});
     }
   }
 
@@ -233,14 +251,16 @@ struct PluginTables {
     out.line();
     for (Array const* array : {&modeler_table, &modeler_codes, &rule_table, &rule_codes}) write(out, *array);
     auto const span = [](Array const& array) { return array.elements.empty() ? "{}" : array.name; };
-    out.line("constexpr Table table{{{}, {}, {}, {}, {}}};", literal(plugin), span(modeler_table), span(modeler_codes), span(rule_table), span(rule_codes));
+    out.line("constexpr Table table{{{}, {}, {}, {}, {}}};", literal(plugin), span(modeler_table), span(modeler_codes),
+             span(rule_table), span(rule_codes));
     return out.all();
   }
 };
 
 }  // namespace
 
-std::optional<GeneratedFile> emit_plugin(std::string const& name, std::vector<PluginModule> const& modules, Options const& options) {
+std::optional<GeneratedFile> emit_plugin(std::string const& name, std::vector<PluginModule> const& modules,
+                                         Options const& options) {
   PluginTables tables;
   for (PluginModule const& module : modules) {
     std::size_t const errors_before = module.diagnostics.error_count();
@@ -262,7 +282,8 @@ std::optional<GeneratedFile> emit_plugin(std::string const& name, std::vector<Pl
   out.line("#include <jrule/plugin_support.h>");
   out.line();
   for (PluginModule const& module : modules) {
-    out.line("#include \"{}{}.h\"", options.header_prefix.empty() ? "" : options.header_prefix + "/", module.program.module);
+    out.line("#include \"{}{}.h\"", options.header_prefix.empty() ? "" : options.header_prefix + "/",
+             module.program.module);
   }
   out.line();
   out.line("namespace jrule::plugin {{");

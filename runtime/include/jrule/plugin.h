@@ -1,15 +1,16 @@
 /* Rules as a shared library that a program in any language can load: plain C, one exported symbol.
  *
- * A host loads the library, looks up the object `jrule_plugin_entry`, a const jrule_plugin, and reads its first two fields. If
- * `abi_version` is not JRULE_PLUGIN_ABI_VERSION, or `struct_size` is less than sizeof(jrule_plugin), it reads nothing else. The
- * sizes that follow have to be equal to those of its own structs. Within one version the entry may grow at its end.
+ * A host loads the library, looks up the object `jrule_plugin_entry`, a const jrule_plugin, and reads its first two
+ * fields. If `abi_version` is not JRULE_PLUGIN_ABI_VERSION, or `struct_size` is less than sizeof(jrule_plugin), it
+ * reads nothing else. The sizes that follow have to be equal to those of its own structs. Within one version the entry
+ * may grow at its end.
  *
- * Everything that the entry leads to is constant and valid while the library is loaded; no text is null, but where it says so,
- * and all are UTF-8. Functions may be called from several threads, but on one map by one of them at a time. They never end the
- * program and throw nothing: they return JRULE_OK, or another code that says why nothing was done. Whenever a function fails, the
- * map is as it was, and what its other pointers lead to is not written. What they do check: null pointers, numbers out of range,
- * and maps of another library. What they cannot check: that a pointer leads to as much memory as is said, and that a map has
- * not been destroyed.
+ * Everything that the entry leads to is constant and valid while the library is loaded; no text is null, but where it
+ * says so, and all are UTF-8. Functions may be called from several threads, but on one map by one of them at a time.
+ * They never end the program and throw nothing: they return JRULE_OK, or another code that says why nothing was done.
+ * Whenever a function fails, the map is as it was, and what its other pointers lead to is not written. What they do
+ * check: null pointers, numbers out of range, and maps of another library. What they cannot check: that a pointer leads
+ * to as much memory as is said, and that a map has not been destroyed.
  */
 #ifndef JRULE_PLUGIN_H
 #define JRULE_PLUGIN_H
@@ -32,9 +33,9 @@ enum {
   JRULE_BAD_INPUT = 2,      /* what a file holds */
   JRULE_IO = 3,             /* a file cannot be read or written */
   JRULE_NO_MEMORY = 4,
-  JRULE_BAD_ARGUMENT = 5,   /* of the function that was called */
-  JRULE_CANCELLED = 6,      /* the host's `report` asked for it */
-  JRULE_THROWN = 7          /* C++ code that the rules call from outside threw an exception */
+  JRULE_BAD_ARGUMENT = 5, /* of the function that was called */
+  JRULE_CANCELLED = 6,    /* the host's `report` asked for it */
+  JRULE_THROWN = 7        /* C++ code that the rules call from outside threw an exception */
 };
 
 /* Belongs to the caller. Every function takes a null pointer instead. */
@@ -71,8 +72,8 @@ typedef struct jrule_value {
 
 enum {
   JRULE_NO_DEFAULT = 0,
-  JRULE_VALUE_DEFAULT = 1,    /* it is in `default_value` */
-  JRULE_COMPUTED_DEFAULT = 2  /* C++ from outside computes it */
+  JRULE_VALUE_DEFAULT = 1,   /* it is in `default_value` */
+  JRULE_COMPUTED_DEFAULT = 2 /* C++ from outside computes it */
 };
 
 /* Values on the cells or other orbits of a map. */
@@ -119,8 +120,8 @@ typedef struct jrule_node {
 } jrule_node;
 
 typedef struct jrule_rule {
-  char const* name;         /* "cone", "sew[2]" */
-  char const* module;       /* the rule file's name: two modules may have rules of one name */
+  char const* name;   /* "cone", "sew[2]" */
+  char const* module; /* the rule file's name: two modules may have rules of one name */
   char const* doc;
   char const* not_callable; /* why it cannot be applied from here; null: it can */
   uint32_t modeler;         /* its place in `modelers` */
@@ -151,8 +152,8 @@ typedef struct jrule_summary {
 
 /* How far an application has come. */
 typedef struct jrule_progress {
-  /* `done` rises from 0 to 1. Gives 0 to go on; anything else cancels. What it gives at 1, when all is done, does not matter. It
-   * must not use the map. */
+  /* `done` rises from 0 to 1. Gives 0 to go on; anything else cancels. What it gives at 1, when all is done, does not
+   * matter. It must not use the map. */
   int32_t (*report)(void* user, double done);
   void* user;
 } jrule_progress;
@@ -162,8 +163,8 @@ typedef struct jrule_progress {
 typedef struct jrule_plugin {
   uint32_t abi_version;
   uint32_t struct_size;
-  uint32_t error_size, value_size, embedding_size, modeler_size, hook_size, parameter_size, node_size, rule_size, summary_size,
-      progress_size;
+  uint32_t error_size, value_size, embedding_size, modeler_size, hook_size, parameter_size, node_size, rule_size,
+      summary_size, progress_size;
 
   char const* name;
   uint32_t modeler_count;
@@ -180,14 +181,15 @@ typedef struct jrule_plugin {
   /* A null pointer is left alone. */
   void (*destroy)(jrule_map* map);
 
-  /* Applies a rule: at one dart for each hook, with one argument for each parameter, in their order. `darts` gets one dart for
-   * each node of the rule, and has room for `capacity`; null with 0: they are not wanted. Whatever a rule deletes, other darts
-   * keep their numbers. */
-  int32_t (*apply)(jrule_map* map, uint32_t rule, jrule_dart const* hooks, uint32_t hook_count, jrule_value const* arguments,
-                   uint32_t argument_count, jrule_dart* darts, uint32_t capacity, jrule_error* error);
-  /* Applies a rule of one hook at each orbit where it is applicable; fails if there are orbits, but none where it is. Where rules
-   * are applied at all orbits at once, progress is reported before and after; else before each orbit and after the last, and
-   * it works on a copy. `progress` may be null. */
+  /* Applies a rule: at one dart for each hook, with one argument for each parameter, in their order. `darts` gets one
+   * dart for each node of the rule, and has room for `capacity`; null with 0: they are not wanted. Whatever a rule
+   * deletes, other darts keep their numbers. */
+  int32_t (*apply)(jrule_map* map, uint32_t rule, jrule_dart const* hooks, uint32_t hook_count,
+                   jrule_value const* arguments, uint32_t argument_count, jrule_dart* darts, uint32_t capacity,
+                   jrule_error* error);
+  /* Applies a rule of one hook at each orbit where it is applicable; fails if there are orbits, but none where it is.
+   * Where rules are applied at all orbits at once, progress is reported before and after; else before each orbit and
+   * after the last, and it works on a copy. `progress` may be null. */
   int32_t (*apply_everywhere)(jrule_map* map, uint32_t rule, jrule_value const* arguments, uint32_t argument_count,
                               jrule_progress const* progress, jrule_error* error);
 
@@ -201,17 +203,18 @@ typedef struct jrule_plugin {
   /* Where the arc of that dimension leads to, and where the one that arrives comes from. */
   int32_t (*target)(jrule_map const* map, jrule_dart dart, int32_t dimension, jrule_dart* to, jrule_error* error);
   int32_t (*source)(jrule_map const* map, jrule_dart dart, int32_t dimension, jrule_dart* from, jrule_error* error);
-  /* The smallest dart of each cell of that dimension, ascending. `count` is how many there are, of which the first `capacity` are
-   * written: ask with null and 0 for the room that it takes. */
+  /* The smallest dart of each cell of that dimension, ascending. `count` is how many there are, of which the first
+   * `capacity` are written: ask with null and 0 for the room that it takes. */
   int32_t (*cells)(jrule_map const* map, int32_t dimension, jrule_dart* darts, uint32_t capacity, uint32_t* count,
                    jrule_error* error);
-  /* The darts that arcs of these dimensions lead to from `dart`, that one first, depth first: with the two dimensions of a closed
-   * face, in the order of its boundary. `darts`, `capacity` and `count` are those of cells(). */
-  int32_t (*orbit)(jrule_map const* map, jrule_dart dart, int32_t const* dimensions, uint32_t dimension_count, jrule_dart* darts,
-                   uint32_t capacity, uint32_t* count, jrule_error* error);
+  /* The darts that arcs of these dimensions lead to from `dart`, that one first, depth first: with the two dimensions
+   * of a closed face, in the order of its boundary. `darts`, `capacity` and `count` are those of cells(). */
+  int32_t (*orbit)(jrule_map const* map, jrule_dart dart, int32_t const* dimensions, uint32_t dimension_count,
+                   jrule_dart* darts, uint32_t capacity, uint32_t* count, jrule_error* error);
   /* The value of the dart's orbit; `embedding` is its place in the modeler's. */
   int32_t (*value)(jrule_map const* map, uint32_t embedding, jrule_dart dart, jrule_value* value, jrule_error* error);
-  int32_t (*set_value)(jrule_map* map, uint32_t embedding, jrule_dart dart, jrule_value const* value, jrule_error* error);
+  int32_t (*set_value)(jrule_map* map, uint32_t embedding, jrule_dart dart, jrule_value const* value,
+                       jrule_error* error);
 } jrule_plugin;
 
 #ifdef __cplusplus

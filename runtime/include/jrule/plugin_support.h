@@ -1,5 +1,5 @@
-// What the generated part of a plugin is made with. That part is tables, and for each rule a function that passes plain arguments
-// on; everything else of plugin.h is here.
+// What the generated part of a plugin is made with. That part is tables, and for each rule a function that passes plain
+// arguments on; everything else of plugin.h is here.
 #pragma once
 
 #include <cstdint>
@@ -26,22 +26,22 @@ class AnyMap {
  public:
   AnyMap() = default;
   virtual ~AnyMap() = default;
+  AnyMap(AnyMap const&) = delete;
   AnyMap& operator=(AnyMap const&) = delete;
 
   virtual std::unique_ptr<AnyMap> copy() const = 0;
   virtual Map const& map() const = 0;
   virtual Map& map() = 0;
   virtual rewrite::Workspace& workspace() = 0;
-
- protected:
-  AnyMap(AnyMap const&) = default;
 };
 
 template <class Modeler>
 class MapOf final : public AnyMap {
  public:
   explicit MapOf(Modeler value) : modeler(std::move(value)) {}
-  std::unique_ptr<AnyMap> copy() const override { return std::make_unique<MapOf>(*this); }
+  std::unique_ptr<AnyMap> copy() const override {
+    return std::make_unique<MapOf>(Modeler::from_map(modeler.map()).value());  // without the scratch memory
+  }
   Map const& map() const override { return modeler.map(); }
   Map& map() override { return modeler.map(); }
   rewrite::Workspace& workspace() override { return modeler.workspace(); }
@@ -60,22 +60,21 @@ struct ModelerCode {
   Result<std::unique_ptr<AnyMap>> (*read)(std::string const& path);
 };
 template <class Modeler>
-constexpr ModelerCode modeler_code{
-    [] { return std::unique_ptr<AnyMap>(std::make_unique<MapOf<Modeler>>(Modeler())); },
-    [](std::string const& path) -> Result<std::unique_ptr<AnyMap>> {
-      auto modeler = Modeler::read(path);
-      if (!modeler) return tl::unexpected(std::move(modeler).error());
-      return std::make_unique<MapOf<Modeler>>(std::move(*modeler));
-    }};
+constexpr ModelerCode modeler_code{[] { return std::unique_ptr<AnyMap>(std::make_unique<MapOf<Modeler>>(Modeler())); },
+                                   [](std::string const& path) -> Result<std::unique_ptr<AnyMap>> {
+                                     auto modeler = Modeler::read(path);
+                                     if (!modeler) return tl::unexpected(std::move(modeler).error());
+                                     return std::make_unique<MapOf<Modeler>>(std::move(*modeler));
+                                   }};
 
-/// The code of a rule. The map is of its modeler, hooks and arguments are as many as its hooks and parameters, the arguments of
-/// their types.
+/// The code of a rule. The map is of its modeler, hooks and arguments are as many as its hooks and parameters, the
+/// arguments of their types.
 struct RuleCode {
   /// Writes a dart for each node. Null: the rule is not callable.
   Result<void> (*apply)(AnyMap& map, Dart const* hooks, Value const* arguments, Dart* darts) = nullptr;
   /// All orbits of the hook at once. Null: they are not independent.
   Result<void> (*apply_at_once)(AnyMap& map, Value const* arguments) = nullptr;
-  OrbitType (*orbit)() = nullptr;                   ///< of the hook; null unless there is one hook
+  OrbitType (*orbit)() = nullptr;                              ///< of the hook; null unless there is one hook
   Value (*computed_default)(std::size_t parameter) = nullptr;  ///< of JRULE_COMPUTED_DEFAULT; null if there is none
 };
 
@@ -88,27 +87,34 @@ struct Table {
   std::span<RuleCode const> rule_code;
 };
 
-/// The functions of plugin.h. They have C++ linkage, for their names are not to be seen; how they are called is the same.
+/// The functions of plugin.h. They have C++ linkage, for their names are not to be seen; how they are called is the
+/// same.
 std::int32_t create(Table const& table, std::uint32_t modeler, jrule_map** map, jrule_error* error) noexcept;
-std::int32_t read(Table const& table, std::uint32_t modeler, char const* path, jrule_map** map, jrule_error* error) noexcept;
+std::int32_t read(Table const& table, std::uint32_t modeler, char const* path, jrule_map** map,
+                  jrule_error* error) noexcept;
 std::int32_t copy(jrule_map const* map, jrule_map** other, jrule_error* error) noexcept;
 std::int32_t write(jrule_map const* map, char const* path, jrule_error* error) noexcept;
 void destroy(jrule_map* map) noexcept;
-std::int32_t apply(jrule_map* map, std::uint32_t rule, jrule_dart const* hooks, std::uint32_t hook_count, jrule_value const* arguments,
-                   std::uint32_t argument_count, jrule_dart* darts, std::uint32_t capacity, jrule_error* error) noexcept;
-std::int32_t apply_everywhere(jrule_map* map, std::uint32_t rule, jrule_value const* arguments, std::uint32_t argument_count,
-                              jrule_progress const* progress, jrule_error* error) noexcept;
+std::int32_t apply(jrule_map* map, std::uint32_t rule, jrule_dart const* hooks, std::uint32_t hook_count,
+                   jrule_value const* arguments, std::uint32_t argument_count, jrule_dart* darts,
+                   std::uint32_t capacity, jrule_error* error) noexcept;
+std::int32_t apply_everywhere(jrule_map* map, std::uint32_t rule, jrule_value const* arguments,
+                              std::uint32_t argument_count, jrule_progress const* progress,
+                              jrule_error* error) noexcept;
 std::int32_t modeler_of(jrule_map const* map, std::uint32_t* modeler, jrule_error* error) noexcept;
 std::int32_t summarize(jrule_map const* map, jrule_summary* summary, jrule_error* error) noexcept;
 std::int32_t count_darts(jrule_map const* map, std::uint32_t* count, std::uint32_t* limit, jrule_error* error) noexcept;
 std::int32_t contains(jrule_map const* map, jrule_dart dart, std::int32_t* is_there, jrule_error* error) noexcept;
-std::int32_t target(jrule_map const* map, jrule_dart dart, std::int32_t dimension, jrule_dart* to, jrule_error* error) noexcept;
-std::int32_t source(jrule_map const* map, jrule_dart dart, std::int32_t dimension, jrule_dart* from, jrule_error* error) noexcept;
-std::int32_t cells(jrule_map const* map, std::int32_t dimension, jrule_dart* darts, std::uint32_t capacity, std::uint32_t* count,
-                   jrule_error* error) noexcept;
+std::int32_t target(jrule_map const* map, jrule_dart dart, std::int32_t dimension, jrule_dart* to,
+                    jrule_error* error) noexcept;
+std::int32_t source(jrule_map const* map, jrule_dart dart, std::int32_t dimension, jrule_dart* from,
+                    jrule_error* error) noexcept;
+std::int32_t cells(jrule_map const* map, std::int32_t dimension, jrule_dart* darts, std::uint32_t capacity,
+                   std::uint32_t* count, jrule_error* error) noexcept;
 std::int32_t orbit(jrule_map const* map, jrule_dart dart, std::int32_t const* dimensions, std::uint32_t dimension_count,
                    jrule_dart* darts, std::uint32_t capacity, std::uint32_t* count, jrule_error* error) noexcept;
-std::int32_t value(jrule_map const* map, std::uint32_t embedding, jrule_dart dart, jrule_value* value, jrule_error* error) noexcept;
+std::int32_t value(jrule_map const* map, std::uint32_t embedding, jrule_dart dart, jrule_value* value,
+                   jrule_error* error) noexcept;
 std::int32_t set_value(jrule_map* map, std::uint32_t embedding, jrule_dart dart, jrule_value const* value,
                        jrule_error* error) noexcept;
 
@@ -133,7 +139,8 @@ constexpr jrule_plugin entry() {
       .rule_count = static_cast<std::uint32_t>(table.rules.size()),
       .modelers = table.modelers.data(),
       .rules = table.rules.data(),
-      .create = [](std::uint32_t modeler, jrule_map** map, jrule_error* error) { return plugin::create(table, modeler, map, error); },
+      .create = [](std::uint32_t modeler, jrule_map** map,
+                   jrule_error* error) { return plugin::create(table, modeler, map, error); },
       .read = [](std::uint32_t modeler, char const* path, jrule_map** map,
                  jrule_error* error) { return plugin::read(table, modeler, path, map, error); },
       .copy = copy,

@@ -11,8 +11,11 @@ namespace jrule::plugin {
 
 namespace {
 
-Outcome check_count(jrule_rule const& rule, char const* what, void const* given, std::uint32_t count, std::uint32_t expected) {
-  if (count != expected) return bad_argument(fmt::format("`{}` has {} {}{}, not {}", rule.name, expected, what, expected == 1 ? "" : "s", count));
+Outcome check_count(jrule_rule const& rule, char const* what, void const* given, std::uint32_t count,
+                    std::uint32_t expected) {
+  if (count != expected)
+    return bad_argument(
+        fmt::format("`{}` has {} {}{}, not {}", rule.name, expected, what, expected == 1 ? "" : "s", count));
   if (count != 0 && given == nullptr) return bad_argument(fmt::format("the {}s of `{}` are null", what, rule.name));
   return {};
 }
@@ -21,12 +24,14 @@ Outcome check_count(jrule_rule const& rule, char const* what, void const* given,
 tl::expected<jrule_rule const*, Failure> find_rule(jrule_map const* map, std::uint32_t rule) {
   if (auto const valid = check_map(map); !valid) return tl::unexpected(valid.error());
   Table const& table = *map->table;
-  if (rule >= table.rules.size()) return bad_argument(fmt::format("there is no rule {}: the plugin has {}", rule, table.rules.size()));
+  if (rule >= table.rules.size())
+    return bad_argument(fmt::format("there is no rule {}: the plugin has {}", rule, table.rules.size()));
   jrule_rule const& found = table.rules[rule];
-  if (found.not_callable != nullptr) return bad_argument(fmt::format("`{}` cannot be called: {}", found.name, found.not_callable));
+  if (found.not_callable != nullptr)
+    return bad_argument(fmt::format("`{}` cannot be called: {}", found.name, found.not_callable));
   if (found.modeler != map->modeler) {
-    return bad_argument(fmt::format("`{}` works on maps of `{}`, not of `{}`", found.name, table.modelers[found.modeler].name,
-                                    table.modelers[map->modeler].name));
+    return bad_argument(fmt::format("`{}` works on maps of `{}`, not of `{}`", found.name,
+                                    table.modelers[found.modeler].name, table.modelers[map->modeler].name));
   }
   return &found;
 }
@@ -39,8 +44,8 @@ tl::expected<Value, Failure> default_of(jrule_rule const& rule, RuleCode const& 
   return from_c(parameter.default_value, static_cast<Type>(parameter.type), what);
 }
 
-tl::expected<std::vector<Value>, Failure> convert(jrule_rule const& rule, RuleCode const& code, jrule_value const* arguments,
-                                                  std::uint32_t count) {
+tl::expected<std::vector<Value>, Failure> convert(jrule_rule const& rule, RuleCode const& code,
+                                                  jrule_value const* arguments, std::uint32_t count) {
   if (auto const counted = check_count(rule, "parameter", arguments, count, rule.parameter_count); !counted) {
     return tl::unexpected(counted.error());
   }
@@ -49,7 +54,8 @@ tl::expected<std::vector<Value>, Failure> convert(jrule_rule const& rule, RuleCo
     jrule_parameter const& parameter = rule.parameters[p];
     auto value = arguments[p].type == JRULE_DEFAULT
                      ? default_of(rule, code, p)
-                     : from_c(arguments[p], static_cast<Type>(parameter.type), fmt::format("the parameter `{}` of `{}`", parameter.name, rule.name));
+                     : from_c(arguments[p], static_cast<Type>(parameter.type),
+                              fmt::format("the parameter `{}` of `{}`", parameter.name, rule.name));
     if (!value) return tl::unexpected(std::move(value).error());
     values.push_back(*value);
   }
@@ -85,8 +91,9 @@ Outcome apply_in_turn(jrule_map& map, jrule_rule const& rule, RuleCode const& co
 
 }  // namespace
 
-std::int32_t apply(jrule_map* map, std::uint32_t rule, jrule_dart const* hooks, std::uint32_t hook_count, jrule_value const* arguments,
-                   std::uint32_t argument_count, jrule_dart* darts, std::uint32_t capacity, jrule_error* error) noexcept {
+std::int32_t apply(jrule_map* map, std::uint32_t rule, jrule_dart const* hooks, std::uint32_t hook_count,
+                   jrule_value const* arguments, std::uint32_t argument_count, jrule_dart* darts,
+                   std::uint32_t capacity, jrule_error* error) noexcept {
   return guarded(error, [&]() -> Outcome {
     auto const found = find_rule(map, rule);
     if (!found) return tl::unexpected(found.error());
@@ -94,7 +101,8 @@ std::int32_t apply(jrule_map* map, std::uint32_t rule, jrule_dart const* hooks, 
     RuleCode const& code = map->table->rule_code[rule];
     if (auto const counted = check_count(known, "hook", hooks, hook_count, known.hook_count); !counted) return counted;
     if (darts == nullptr ? capacity != 0 : capacity < known.node_count) {
-      return bad_argument(fmt::format("`{}` gives {} darts: there has to be room for them, or null and 0", known.name, known.node_count));
+      return bad_argument(fmt::format("`{}` gives {} darts: there has to be room for them, or null and 0", known.name,
+                                      known.node_count));
     }
     auto const values = convert(known, code, arguments, argument_count);
     if (!values) return tl::unexpected(values.error());
@@ -106,21 +114,24 @@ std::int32_t apply(jrule_map* map, std::uint32_t rule, jrule_dart const* hooks, 
   });
 }
 
-std::int32_t apply_everywhere(jrule_map* map, std::uint32_t rule, jrule_value const* arguments, std::uint32_t argument_count,
-                              jrule_progress const* progress, jrule_error* error) noexcept {
+std::int32_t apply_everywhere(jrule_map* map, std::uint32_t rule, jrule_value const* arguments,
+                              std::uint32_t argument_count, jrule_progress const* progress,
+                              jrule_error* error) noexcept {
   return guarded(error, [&]() -> Outcome {
     auto const found = find_rule(map, rule);
     if (!found) return tl::unexpected(found.error());
     jrule_rule const& known = **found;
     RuleCode const& code = map->table->rule_code[rule];
     if (known.hook_count != 1) {
-      return bad_argument(fmt::format("`{}` has {} hooks: only a rule of one hook can be applied everywhere", known.name, known.hook_count));
+      return bad_argument(fmt::format("`{}` has {} hooks: only a rule of one hook can be applied everywhere",
+                                      known.name, known.hook_count));
     }
     auto const values = convert(known, code, arguments, argument_count);
     if (!values) return tl::unexpected(values.error());
     if (!go_on(progress, 0)) return cancelled(known.name);
     if (code.apply_at_once != nullptr) {
-      if (auto const applied = code.apply_at_once(*map->content, values->data()); !applied) return failed(applied.error());
+      if (auto const applied = code.apply_at_once(*map->content, values->data()); !applied)
+        return failed(applied.error());
     } else if (auto const applied = apply_in_turn(*map, known, code, *values, progress); !applied) {
       return applied;
     }

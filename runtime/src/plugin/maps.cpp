@@ -46,7 +46,8 @@ std::int32_t create(Table const& table, std::uint32_t modeler, jrule_map** map, 
   });
 }
 
-std::int32_t read(Table const& table, std::uint32_t modeler, char const* path, jrule_map** map, jrule_error* error) noexcept {
+std::int32_t read(Table const& table, std::uint32_t modeler, char const* path, jrule_map** map,
+                  jrule_error* error) noexcept {
   return guarded(error, [&]() -> Outcome {
     if (auto const given = check_pointer(map, "the pointer to the new map"); !given) return given;
     if (auto const given = check_pointer(path, "the path"); !given) return given;
@@ -71,7 +72,8 @@ std::int32_t write(jrule_map const* map, char const* path, jrule_error* error) n
   return guarded(error, [&]() -> Outcome {
     if (auto const valid = check_map(map); !valid) return valid;
     if (auto const given = check_pointer(path, "the path"); !given) return given;
-    if (auto written = write_map(std::as_const(*map->content).map(), path); !written) return failed(std::move(written).error());
+    if (auto written = write_map(std::as_const(*map->content).map(), path); !written)
+      return failed(std::move(written).error());
     return {};
   });
 }

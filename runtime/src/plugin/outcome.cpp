@@ -43,7 +43,8 @@ tl::unexpected<Failure> bad_argument(std::string message) {
 
 tl::unexpected<Failure> cancelled(std::string_view rule) {
   return tl::unexpected(
-      Failure{JRULE_CANCELLED, {Error::Kind::bad_input, '`' + std::string(rule) + "` was cancelled: the map is as it was", {}, 0}});
+      Failure{JRULE_CANCELLED,
+              {Error::Kind::bad_input, '`' + std::string(rule) + "` was cancelled: the map is as it was", {}, 0}});
 }
 
 std::int32_t report(jrule_error* error, std::int32_t code, std::string_view message, std::string_view file,

@@ -31,7 +31,8 @@ Outcome check_value(jrule_map const* map, std::uint32_t embedding, Dart dart, vo
   if (auto const given = check_pointer(value, "the pointer to the value"); !given) return given;
   if (auto const there = check_dart(map, dart); !there) return there;
   std::size_t const count = map_of(map).embedding_count();
-  if (embedding >= count) return bad_argument(fmt::format("there is no embedding {}: the map has {}", embedding, count));
+  if (embedding >= count)
+    return bad_argument(fmt::format("there is no embedding {}: the map has {}", embedding, count));
   EmbeddingSpec const& spec = map_of(map).embedding(embedding).spec();
   if (spec.type != Type::Extern) return {};
   return bad_argument(fmt::format("the values of `{}` are of the C++ type `{}`", spec.name, spec.extern_name));
@@ -51,7 +52,8 @@ Outcome check_room(Dart const* darts, std::uint32_t capacity, std::uint32_t cons
 
 // `read` is Map::target or Map::source.
 template <class Read>
-std::int32_t follow(jrule_map const* map, Dart dart, std::int32_t dimension, Dart* end, jrule_error* error, Read read) noexcept {
+std::int32_t follow(jrule_map const* map, Dart dart, std::int32_t dimension, Dart* end, jrule_error* error,
+                    Read read) noexcept {
   return guarded(error, [&]() -> Outcome {
     if (auto const valid = check_map(map); !valid) return valid;
     if (auto const given = check_pointer(end, "the pointer to the dart"); !given) return given;
@@ -92,7 +94,8 @@ std::int32_t summarize(jrule_map const* map, jrule_summary* summary, jrule_error
   });
 }
 
-std::int32_t count_darts(jrule_map const* map, std::uint32_t* count, std::uint32_t* limit, jrule_error* error) noexcept {
+std::int32_t count_darts(jrule_map const* map, std::uint32_t* count, std::uint32_t* limit,
+                         jrule_error* error) noexcept {
   return guarded(error, [&]() -> Outcome {
     if (auto const valid = check_map(map); !valid) return valid;
     if (count != nullptr) *count = static_cast<std::uint32_t>(map_of(map).dart_count());
@@ -110,20 +113,23 @@ std::int32_t contains(jrule_map const* map, jrule_dart dart, std::int32_t* is_th
   });
 }
 
-std::int32_t target(jrule_map const* map, jrule_dart dart, std::int32_t dimension, jrule_dart* to, jrule_error* error) noexcept {
+std::int32_t target(jrule_map const* map, jrule_dart dart, std::int32_t dimension, jrule_dart* to,
+                    jrule_error* error) noexcept {
   return follow(map, dart, dimension, to, error, [](Map const& m, Dart d, int i) { return m.target(d, i); });
 }
 
-std::int32_t source(jrule_map const* map, jrule_dart dart, std::int32_t dimension, jrule_dart* from, jrule_error* error) noexcept {
+std::int32_t source(jrule_map const* map, jrule_dart dart, std::int32_t dimension, jrule_dart* from,
+                    jrule_error* error) noexcept {
   return follow(map, dart, dimension, from, error, [](Map const& m, Dart d, int i) { return m.source(d, i); });
 }
 
-std::int32_t cells(jrule_map const* map, std::int32_t dimension, jrule_dart* darts, std::uint32_t capacity, std::uint32_t* count,
-                   jrule_error* error) noexcept {
+std::int32_t cells(jrule_map const* map, std::int32_t dimension, jrule_dart* darts, std::uint32_t capacity,
+                   std::uint32_t* count, jrule_error* error) noexcept {
   return guarded(error, [&]() -> Outcome {
     if (auto const valid = check_map(map); !valid) return valid;
     if (auto const room = check_room(darts, capacity, count); !room) return room;
-    if (!cell_orbit(map_of(map).model(), dimension)) return bad_argument(fmt::format("the map has no cells of dimension {}", dimension));
+    if (!cell_orbit(map_of(map).model(), dimension))
+      return bad_argument(fmt::format("the map has no cells of dimension {}", dimension));
     return hand_out(jrule::cells(map_of(map), dimension), darts, capacity, count);
   });
 }
@@ -134,7 +140,8 @@ std::int32_t orbit(jrule_map const* map, jrule_dart dart, std::int32_t const* di
     if (auto const valid = check_map(map); !valid) return valid;
     if (auto const room = check_room(darts, capacity, count); !room) return room;
     if (auto const there = check_dart(map, dart); !there) return there;
-    if (dimension_count > static_cast<std::uint32_t>(max_dimension) + 1) return bad_argument("an orbit has each dimension once at most");
+    if (dimension_count > static_cast<std::uint32_t>(max_dimension) + 1)
+      return bad_argument("an orbit has each dimension once at most");
     if (dimension_count != 0 && dimensions == nullptr) return bad_argument("the pointer to the dimensions is null");
     std::vector<int> const words(dimensions, dimensions + dimension_count);
     for (int const dimension : words) {
@@ -144,7 +151,8 @@ std::int32_t orbit(jrule_map const* map, jrule_dart dart, std::int32_t const* di
   });
 }
 
-std::int32_t value(jrule_map const* map, std::uint32_t embedding, jrule_dart dart, jrule_value* value, jrule_error* error) noexcept {
+std::int32_t value(jrule_map const* map, std::uint32_t embedding, jrule_dart dart, jrule_value* value,
+                   jrule_error* error) noexcept {
   return guarded(error, [&]() -> Outcome {
     if (auto const valid = check_value(map, embedding, dart, value); !valid) return valid;
     Embedding const& values = map_of(map).embedding(embedding);

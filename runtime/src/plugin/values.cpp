@@ -28,7 +28,8 @@ jrule_value to_c(Value const& value) noexcept {
 tl::expected<Value, Failure> from_c(jrule_value const& value, Type type, std::string const& what) {
   if (value.type != static_cast<std::int32_t>(type)) {
     bool const is_known = value.type >= 0 && value.type <= JRULE_EXTERN;
-    std::string const given = is_known ? jrule::to_string(static_cast<Type>(value.type)) : fmt::format("type {}", value.type);
+    std::string const given =
+        is_known ? jrule::to_string(static_cast<Type>(value.type)) : fmt::format("type {}", value.type);
     return bad_argument(fmt::format("{} is a {}, not {}", what, jrule::to_string(type), given));
   }
   if (type == Type::Bool) return Value(value.integer != 0);
