@@ -87,38 +87,49 @@ struct Table {
   std::span<RuleCode const> rule_code;
 };
 
-/// The functions of plugin.h. They have C++ linkage, for their names are not to be seen; how they are called is the
-/// same.
+/// The functions of plugin.h, of the plugin of a table. They have C++ linkage, for their names are not to be seen; how
+/// they are called is the same.
 std::int32_t create(Table const& table, std::uint32_t modeler, jrule_map** map, jrule_error* error) noexcept;
 std::int32_t read(Table const& table, std::uint32_t modeler, char const* path, jrule_map** map,
                   jrule_error* error) noexcept;
-std::int32_t copy(jrule_map const* map, jrule_map** other, jrule_error* error) noexcept;
-std::int32_t write(jrule_map const* map, char const* path, jrule_error* error) noexcept;
-void destroy(jrule_map* map) noexcept;
-std::int32_t apply(jrule_map* map, std::uint32_t rule, jrule_dart const* hooks, std::uint32_t hook_count,
-                   jrule_value const* arguments, std::uint32_t argument_count, jrule_dart* darts,
-                   std::uint32_t capacity, jrule_error* error) noexcept;
-std::int32_t apply_everywhere(jrule_map* map, std::uint32_t rule, jrule_value const* arguments,
+std::int32_t copy(Table const& table, jrule_map const* map, jrule_map** other, jrule_error* error) noexcept;
+std::int32_t write(Table const& table, jrule_map const* map, char const* path, jrule_error* error) noexcept;
+void destroy(Table const& table, jrule_map* map) noexcept;
+std::int32_t apply(Table const& table, jrule_map* map, std::uint32_t rule, jrule_dart const* hooks,
+                   std::uint32_t hook_count, jrule_value const* arguments, std::uint32_t argument_count,
+                   jrule_dart* darts, std::uint32_t capacity, jrule_error* error) noexcept;
+std::int32_t apply_everywhere(Table const& table, jrule_map* map, std::uint32_t rule, jrule_value const* arguments,
                               std::uint32_t argument_count, jrule_progress const* progress,
                               jrule_error* error) noexcept;
-std::int32_t modeler_of(jrule_map const* map, std::uint32_t* modeler, jrule_error* error) noexcept;
-std::int32_t summarize(jrule_map const* map, jrule_summary* summary, jrule_error* error) noexcept;
-std::int32_t count_darts(jrule_map const* map, std::uint32_t* count, std::uint32_t* limit, jrule_error* error) noexcept;
-std::int32_t contains(jrule_map const* map, jrule_dart dart, std::int32_t* is_there, jrule_error* error) noexcept;
-std::int32_t target(jrule_map const* map, jrule_dart dart, std::int32_t dimension, jrule_dart* to,
+std::int32_t modeler_of(Table const& table, jrule_map const* map, std::uint32_t* modeler, jrule_error* error) noexcept;
+std::int32_t summarize(Table const& table, jrule_map const* map, jrule_summary* summary, jrule_error* error) noexcept;
+std::int32_t count_darts(Table const& table, jrule_map const* map, std::uint32_t* count, std::uint32_t* limit,
+                         jrule_error* error) noexcept;
+std::int32_t contains(Table const& table, jrule_map const* map, jrule_dart dart, std::int32_t* is_there,
+                      jrule_error* error) noexcept;
+std::int32_t target(Table const& table, jrule_map const* map, jrule_dart dart, std::int32_t dimension, jrule_dart* to,
                     jrule_error* error) noexcept;
-std::int32_t source(jrule_map const* map, jrule_dart dart, std::int32_t dimension, jrule_dart* from,
+std::int32_t source(Table const& table, jrule_map const* map, jrule_dart dart, std::int32_t dimension, jrule_dart* from,
                     jrule_error* error) noexcept;
-std::int32_t cells(jrule_map const* map, std::int32_t dimension, jrule_dart* darts, std::uint32_t capacity,
-                   std::uint32_t* count, jrule_error* error) noexcept;
-std::int32_t orbit(jrule_map const* map, jrule_dart dart, std::int32_t const* dimensions, std::uint32_t dimension_count,
-                   jrule_dart* darts, std::uint32_t capacity, std::uint32_t* count, jrule_error* error) noexcept;
-std::int32_t value(jrule_map const* map, std::uint32_t embedding, jrule_dart dart, jrule_value* value,
+std::int32_t cells(Table const& table, jrule_map const* map, std::int32_t dimension, jrule_dart* darts,
+                   std::uint32_t capacity, std::uint32_t* count, jrule_error* error) noexcept;
+std::int32_t orbit(Table const& table, jrule_map const* map, jrule_dart dart, std::int32_t const* dimensions,
+                   std::uint32_t dimension_count, jrule_dart* darts, std::uint32_t capacity, std::uint32_t* count,
                    jrule_error* error) noexcept;
-std::int32_t set_value(jrule_map* map, std::uint32_t embedding, jrule_dart dart, jrule_value const* value,
-                       jrule_error* error) noexcept;
+std::int32_t value(Table const& table, jrule_map const* map, std::uint32_t embedding, jrule_dart dart,
+                   jrule_value* value, jrule_error* error) noexcept;
+std::int32_t set_value(Table const& table, jrule_map* map, std::uint32_t embedding, jrule_dart dart,
+                       jrule_value const* value, jrule_error* error) noexcept;
 
-/// The entry of a plugin of that table, which is a constant.
+/// A function of plugin.h from one of the above: `Of<table, write>::call`.
+template <Table const& table, auto function>
+struct Of;
+template <Table const& table, class Result, class... Arguments, Result (*function)(Table const&, Arguments...) noexcept>
+struct Of<table, function> {
+  static Result call(Arguments... arguments) noexcept { return function(table, arguments...); }
+};
+
+/// The entry of the plugin of a table, which is a constant.
 template <Table const& table>
 constexpr jrule_plugin entry() {
   return {
@@ -139,25 +150,23 @@ constexpr jrule_plugin entry() {
       .rule_count = static_cast<std::uint32_t>(table.rules.size()),
       .modelers = table.modelers.data(),
       .rules = table.rules.data(),
-      .create = [](std::uint32_t modeler, jrule_map** map,
-                   jrule_error* error) { return plugin::create(table, modeler, map, error); },
-      .read = [](std::uint32_t modeler, char const* path, jrule_map** map,
-                 jrule_error* error) { return plugin::read(table, modeler, path, map, error); },
-      .copy = copy,
-      .write = write,
-      .destroy = destroy,
-      .apply = apply,
-      .apply_everywhere = apply_everywhere,
-      .modeler_of = modeler_of,
-      .summarize = summarize,
-      .count_darts = count_darts,
-      .contains = contains,
-      .target = target,
-      .source = source,
-      .cells = cells,
-      .orbit = orbit,
-      .value = value,
-      .set_value = set_value,
+      .create = Of<table, plugin::create>::call,
+      .read = Of<table, plugin::read>::call,
+      .copy = Of<table, plugin::copy>::call,
+      .write = Of<table, plugin::write>::call,
+      .destroy = Of<table, plugin::destroy>::call,
+      .apply = Of<table, plugin::apply>::call,
+      .apply_everywhere = Of<table, plugin::apply_everywhere>::call,
+      .modeler_of = Of<table, plugin::modeler_of>::call,
+      .summarize = Of<table, plugin::summarize>::call,
+      .count_darts = Of<table, plugin::count_darts>::call,
+      .contains = Of<table, plugin::contains>::call,
+      .target = Of<table, plugin::target>::call,
+      .source = Of<table, plugin::source>::call,
+      .cells = Of<table, plugin::cells>::call,
+      .orbit = Of<table, plugin::orbit>::call,
+      .value = Of<table, plugin::value>::call,
+      .set_value = Of<table, plugin::set_value>::call,
   };
 }
 

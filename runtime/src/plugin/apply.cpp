@@ -21,9 +21,8 @@ Outcome check_count(jrule_rule const& rule, char const* what, void const* given,
 }
 
 // The rule, if it can be applied to the map.
-tl::expected<jrule_rule const*, Failure> find_rule(jrule_map const* map, std::uint32_t rule) {
-  if (auto const valid = check_map(map); !valid) return tl::unexpected(valid.error());
-  Table const& table = *map->table;
+tl::expected<jrule_rule const*, Failure> find_rule(Table const& table, jrule_map const* map, std::uint32_t rule) {
+  if (auto const valid = check_map(table, map); !valid) return tl::unexpected(valid.error());
   if (rule >= table.rules.size())
     return bad_argument(fmt::format("there is no rule {}: the plugin has {}", rule, table.rules.size()));
   jrule_rule const& found = table.rules[rule];
@@ -91,14 +90,14 @@ Outcome apply_in_turn(jrule_map& map, jrule_rule const& rule, RuleCode const& co
 
 }  // namespace
 
-std::int32_t apply(jrule_map* map, std::uint32_t rule, jrule_dart const* hooks, std::uint32_t hook_count,
-                   jrule_value const* arguments, std::uint32_t argument_count, jrule_dart* darts,
-                   std::uint32_t capacity, jrule_error* error) noexcept {
+std::int32_t apply(Table const& table, jrule_map* map, std::uint32_t rule, jrule_dart const* hooks,
+                   std::uint32_t hook_count, jrule_value const* arguments, std::uint32_t argument_count,
+                   jrule_dart* darts, std::uint32_t capacity, jrule_error* error) noexcept {
   return guarded(error, [&]() -> Outcome {
-    auto const found = find_rule(map, rule);
+    auto const found = find_rule(table, map, rule);
     if (!found) return tl::unexpected(found.error());
     jrule_rule const& known = **found;
-    RuleCode const& code = map->table->rule_code[rule];
+    RuleCode const& code = table.rule_code[rule];
     if (auto const counted = check_count(known, "hook", hooks, hook_count, known.hook_count); !counted) return counted;
     if (darts == nullptr ? capacity != 0 : capacity < known.node_count) {
       return bad_argument(fmt::format("`{}` gives {} darts: there has to be room for them, or null and 0", known.name,
@@ -114,14 +113,14 @@ std::int32_t apply(jrule_map* map, std::uint32_t rule, jrule_dart const* hooks, 
   });
 }
 
-std::int32_t apply_everywhere(jrule_map* map, std::uint32_t rule, jrule_value const* arguments,
+std::int32_t apply_everywhere(Table const& table, jrule_map* map, std::uint32_t rule, jrule_value const* arguments,
                               std::uint32_t argument_count, jrule_progress const* progress,
                               jrule_error* error) noexcept {
   return guarded(error, [&]() -> Outcome {
-    auto const found = find_rule(map, rule);
+    auto const found = find_rule(table, map, rule);
     if (!found) return tl::unexpected(found.error());
     jrule_rule const& known = **found;
-    RuleCode const& code = map->table->rule_code[rule];
+    RuleCode const& code = table.rule_code[rule];
     if (known.hook_count != 1) {
       return bad_argument(fmt::format("`{}` has {} hooks: only a rule of one hook can be applied everywhere",
                                       known.name, known.hook_count));

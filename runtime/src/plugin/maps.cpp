@@ -16,24 +16,19 @@ Outcome check_modeler(Table const& table, std::uint32_t modeler) {
 }
 
 jrule_map* hand_out(Table const& table, std::uint32_t modeler, std::unique_ptr<AnyMap> content) {
-  return new jrule_map{this_library(), &table, modeler, std::move(content)};
+  return new jrule_map{&table, modeler, std::move(content)};
 }
 
 }  // namespace
-
-void const* this_library() noexcept {
-  static char const here = 0;
-  return &here;
-}
 
 Outcome check_pointer(void const* pointer, char const* what) {
   if (pointer != nullptr) return {};
   return bad_argument(fmt::format("{} is null", what));
 }
 
-Outcome check_map(jrule_map const* map) {
+Outcome check_map(Table const& table, jrule_map const* map) {
   if (auto const given = check_pointer(map, "the map"); !given) return given;
-  if (map->owner != this_library()) return bad_argument("the map is not of this plugin");
+  if (map->table != &table) return bad_argument("the map is not of this plugin");
   return {};
 }
 
@@ -59,18 +54,18 @@ std::int32_t read(Table const& table, std::uint32_t modeler, char const* path, j
   });
 }
 
-std::int32_t copy(jrule_map const* map, jrule_map** other, jrule_error* error) noexcept {
+std::int32_t copy(Table const& table, jrule_map const* map, jrule_map** other, jrule_error* error) noexcept {
   return guarded(error, [&]() -> Outcome {
-    if (auto const valid = check_map(map); !valid) return valid;
+    if (auto const valid = check_map(table, map); !valid) return valid;
     if (auto const given = check_pointer(other, "the pointer to the new map"); !given) return given;
-    *other = hand_out(*map->table, map->modeler, map->content->copy());
+    *other = hand_out(table, map->modeler, map->content->copy());
     return {};
   });
 }
 
-std::int32_t write(jrule_map const* map, char const* path, jrule_error* error) noexcept {
+std::int32_t write(Table const& table, jrule_map const* map, char const* path, jrule_error* error) noexcept {
   return guarded(error, [&]() -> Outcome {
-    if (auto const valid = check_map(map); !valid) return valid;
+    if (auto const valid = check_map(table, map); !valid) return valid;
     if (auto const given = check_pointer(path, "the path"); !given) return given;
     if (auto written = write_map(std::as_const(*map->content).map(), path); !written)
       return failed(std::move(written).error());
@@ -78,8 +73,8 @@ std::int32_t write(jrule_map const* map, char const* path, jrule_error* error) n
   });
 }
 
-void destroy(jrule_map* map) noexcept {
-  if (map != nullptr && map->owner == this_library()) delete map;
+void destroy(Table const& table, jrule_map* map) noexcept {
+  if (map != nullptr && map->table == &table) delete map;
 }
 
 }  // namespace jrule::plugin

@@ -26,8 +26,8 @@ Outcome check_dimension(jrule_map const* map, std::int32_t dimension) {
 }
 
 // The map, the dart and the embedding, of a type of the language.
-Outcome check_value(jrule_map const* map, std::uint32_t embedding, Dart dart, void const* value) {
-  if (auto const valid = check_map(map); !valid) return valid;
+Outcome check_value(Table const& table, jrule_map const* map, std::uint32_t embedding, Dart dart, void const* value) {
+  if (auto const valid = check_map(table, map); !valid) return valid;
   if (auto const given = check_pointer(value, "the pointer to the value"); !given) return given;
   if (auto const there = check_dart(map, dart); !there) return there;
   std::size_t const count = map_of(map).embedding_count();
@@ -52,10 +52,10 @@ Outcome check_room(Dart const* darts, std::uint32_t capacity, std::uint32_t cons
 
 // `read` is Map::target or Map::source.
 template <class Read>
-std::int32_t follow(jrule_map const* map, Dart dart, std::int32_t dimension, Dart* end, jrule_error* error,
-                    Read read) noexcept {
+std::int32_t follow(Table const& table, jrule_map const* map, Dart dart, std::int32_t dimension, Dart* end,
+                    jrule_error* error, Read read) noexcept {
   return guarded(error, [&]() -> Outcome {
-    if (auto const valid = check_map(map); !valid) return valid;
+    if (auto const valid = check_map(table, map); !valid) return valid;
     if (auto const given = check_pointer(end, "the pointer to the dart"); !given) return given;
     if (auto const there = check_dart(map, dart); !there) return there;
     if (auto const known = check_dimension(map, dimension); !known) return known;
@@ -66,18 +66,18 @@ std::int32_t follow(jrule_map const* map, Dart dart, std::int32_t dimension, Dar
 
 }  // namespace
 
-std::int32_t modeler_of(jrule_map const* map, std::uint32_t* modeler, jrule_error* error) noexcept {
+std::int32_t modeler_of(Table const& table, jrule_map const* map, std::uint32_t* modeler, jrule_error* error) noexcept {
   return guarded(error, [&]() -> Outcome {
-    if (auto const valid = check_map(map); !valid) return valid;
+    if (auto const valid = check_map(table, map); !valid) return valid;
     if (auto const given = check_pointer(modeler, "the pointer to the modeler"); !given) return given;
     *modeler = map->modeler;
     return {};
   });
 }
 
-std::int32_t summarize(jrule_map const* map, jrule_summary* summary, jrule_error* error) noexcept {
+std::int32_t summarize(Table const& table, jrule_map const* map, jrule_summary* summary, jrule_error* error) noexcept {
   return guarded(error, [&]() -> Outcome {
-    if (auto const valid = check_map(map); !valid) return valid;
+    if (auto const valid = check_map(table, map); !valid) return valid;
     if (auto const given = check_pointer(summary, "the pointer to the summary"); !given) return given;
     Summary const found = jrule::summarize(map_of(map));
     jrule_summary result{};
@@ -94,39 +94,40 @@ std::int32_t summarize(jrule_map const* map, jrule_summary* summary, jrule_error
   });
 }
 
-std::int32_t count_darts(jrule_map const* map, std::uint32_t* count, std::uint32_t* limit,
+std::int32_t count_darts(Table const& table, jrule_map const* map, std::uint32_t* count, std::uint32_t* limit,
                          jrule_error* error) noexcept {
   return guarded(error, [&]() -> Outcome {
-    if (auto const valid = check_map(map); !valid) return valid;
+    if (auto const valid = check_map(table, map); !valid) return valid;
     if (count != nullptr) *count = static_cast<std::uint32_t>(map_of(map).dart_count());
     if (limit != nullptr) *limit = map_of(map).dart_limit();
     return {};
   });
 }
 
-std::int32_t contains(jrule_map const* map, jrule_dart dart, std::int32_t* is_there, jrule_error* error) noexcept {
+std::int32_t contains(Table const& table, jrule_map const* map, jrule_dart dart, std::int32_t* is_there,
+                      jrule_error* error) noexcept {
   return guarded(error, [&]() -> Outcome {
-    if (auto const valid = check_map(map); !valid) return valid;
+    if (auto const valid = check_map(table, map); !valid) return valid;
     if (auto const given = check_pointer(is_there, "the pointer to the answer"); !given) return given;
     *is_there = map_of(map).contains(dart) ? 1 : 0;
     return {};
   });
 }
 
-std::int32_t target(jrule_map const* map, jrule_dart dart, std::int32_t dimension, jrule_dart* to,
+std::int32_t target(Table const& table, jrule_map const* map, jrule_dart dart, std::int32_t dimension, jrule_dart* to,
                     jrule_error* error) noexcept {
-  return follow(map, dart, dimension, to, error, [](Map const& m, Dart d, int i) { return m.target(d, i); });
+  return follow(table, map, dart, dimension, to, error, [](Map const& m, Dart d, int i) { return m.target(d, i); });
 }
 
-std::int32_t source(jrule_map const* map, jrule_dart dart, std::int32_t dimension, jrule_dart* from,
+std::int32_t source(Table const& table, jrule_map const* map, jrule_dart dart, std::int32_t dimension, jrule_dart* from,
                     jrule_error* error) noexcept {
-  return follow(map, dart, dimension, from, error, [](Map const& m, Dart d, int i) { return m.source(d, i); });
+  return follow(table, map, dart, dimension, from, error, [](Map const& m, Dart d, int i) { return m.source(d, i); });
 }
 
-std::int32_t cells(jrule_map const* map, std::int32_t dimension, jrule_dart* darts, std::uint32_t capacity,
-                   std::uint32_t* count, jrule_error* error) noexcept {
+std::int32_t cells(Table const& table, jrule_map const* map, std::int32_t dimension, jrule_dart* darts,
+                   std::uint32_t capacity, std::uint32_t* count, jrule_error* error) noexcept {
   return guarded(error, [&]() -> Outcome {
-    if (auto const valid = check_map(map); !valid) return valid;
+    if (auto const valid = check_map(table, map); !valid) return valid;
     if (auto const room = check_room(darts, capacity, count); !room) return room;
     if (!cell_orbit(map_of(map).model(), dimension))
       return bad_argument(fmt::format("the map has no cells of dimension {}", dimension));
@@ -134,10 +135,11 @@ std::int32_t cells(jrule_map const* map, std::int32_t dimension, jrule_dart* dar
   });
 }
 
-std::int32_t orbit(jrule_map const* map, jrule_dart dart, std::int32_t const* dimensions, std::uint32_t dimension_count,
-                   jrule_dart* darts, std::uint32_t capacity, std::uint32_t* count, jrule_error* error) noexcept {
+std::int32_t orbit(Table const& table, jrule_map const* map, jrule_dart dart, std::int32_t const* dimensions,
+                   std::uint32_t dimension_count, jrule_dart* darts, std::uint32_t capacity, std::uint32_t* count,
+                   jrule_error* error) noexcept {
   return guarded(error, [&]() -> Outcome {
-    if (auto const valid = check_map(map); !valid) return valid;
+    if (auto const valid = check_map(table, map); !valid) return valid;
     if (auto const room = check_room(darts, capacity, count); !room) return room;
     if (auto const there = check_dart(map, dart); !there) return there;
     if (dimension_count > static_cast<std::uint32_t>(max_dimension) + 1)
@@ -151,10 +153,10 @@ std::int32_t orbit(jrule_map const* map, jrule_dart dart, std::int32_t const* di
   });
 }
 
-std::int32_t value(jrule_map const* map, std::uint32_t embedding, jrule_dart dart, jrule_value* value,
-                   jrule_error* error) noexcept {
+std::int32_t value(Table const& table, jrule_map const* map, std::uint32_t embedding, jrule_dart dart,
+                   jrule_value* value, jrule_error* error) noexcept {
   return guarded(error, [&]() -> Outcome {
-    if (auto const valid = check_value(map, embedding, dart, value); !valid) return valid;
+    if (auto const valid = check_value(table, map, embedding, dart, value); !valid) return valid;
     Embedding const& values = map_of(map).embedding(embedding);
     Handle const handle = values.handle(dart);
     if (handle == no_handle) return bad_argument(fmt::format("dart {} has no value of `{}`", dart, values.spec().name));
@@ -163,10 +165,10 @@ std::int32_t value(jrule_map const* map, std::uint32_t embedding, jrule_dart dar
   });
 }
 
-std::int32_t set_value(jrule_map* map, std::uint32_t embedding, jrule_dart dart, jrule_value const* value,
-                       jrule_error* error) noexcept {
+std::int32_t set_value(Table const& table, jrule_map* map, std::uint32_t embedding, jrule_dart dart,
+                       jrule_value const* value, jrule_error* error) noexcept {
   return guarded(error, [&]() -> Outcome {
-    if (auto const valid = check_value(map, embedding, dart, value); !valid) return valid;
+    if (auto const valid = check_value(table, map, embedding, dart, value); !valid) return valid;
     EmbeddingSpec const& spec = map_of(map).embedding(embedding).spec();
     auto const converted = from_c(*value, spec.type, fmt::format("the embedding `{}`", spec.name));
     if (!converted) return tl::unexpected(converted.error());
