@@ -7,7 +7,9 @@ run(ignored STATUS 0 COMMAND "${CMAKE_COMMAND}" -S "${WORK_DIR}/source" -B "${WO
 build(ignored STATUS 0)
 expect_refined("${WORK_DIR}/build/refine")
 build(output STATUS 0)
-expect_not("${output}" "Checking|Building")
+expect_not("${output}" "Checking|Making|Building")
+run(output STATUS 0 COMMAND "${PREFIX}/bin/jrule" info "${WORK_DIR}/build/librefine_rules.so")
+expect("${output}" "^plugin refine_rules: ")
 expect_refused("${WORK_DIR}/build/refine" COMMAND "${CMAKE_COMMAND}" --build "${WORK_DIR}/build")
 
 # Another major version is refused.
