@@ -9,21 +9,14 @@
 #include <memory>
 #include <stdexcept>
 
+#include "tests/smoothing/mixed.h"
+
 namespace jrule::test {
 
 namespace {
 
 namespace far = OpenSubdiv::Far;
 namespace sdc = OpenSubdiv::Sdc;
-
-// A point with the operations that OpenSubdiv asks for.
-struct Mixed {
-  Point3 point{};
-  void Clear() { point = {}; }
-  void AddWithWeight(Mixed const& other, double weight) {
-    point = {point.x + weight * other.point.x, point.y + weight * other.point.y, point.z + weight * other.point.z};
-  }
-};
 
 std::unique_ptr<far::TopologyRefiner> refiner_of(Polygons const& mesh, Scheme scheme, Border border) {
   std::vector<int> degrees, corners;

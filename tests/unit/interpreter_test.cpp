@@ -3,6 +3,7 @@
 
 #include "compiler/backend/interpreter/interpreter.h"
 #include "jrule/io.h"
+#include "tests/unit/polygons.h"
 #include "tests/unit/rule_fixture.h"
 
 namespace jrule {
@@ -22,22 +23,7 @@ struct Applier {
     return interpreter::apply(rule, plan, map, hooks, values, workspace);
   }
   // Polygons side by side, free, with a position and a number at each corner's orbit.
-  Map polygons(std::vector<std::uint32_t> const& sides) const {
-    Map map(rule.model(), rule.modeler->embeddings);
-    for (std::uint32_t const n : sides) {
-      std::vector<Dart> const d = map.add_darts(2 * n);
-      for (std::uint32_t k = 0; k < n; ++k) {
-        map.link(d[2 * k], 0, d[2 * k + 1]);
-        map.link(d[2 * k + 1], 1, d[(2 * k + 2) % (2 * n)]);
-      }
-    }
-    for (std::size_t e = 0; e < map.embedding_count(); ++e) {
-      OrbitNumbers const orbits = number_orbits(map, map.embedding(e).spec().orbit);
-      for (std::size_t i = 0; i < orbits.first.size(); ++i) map.embedding(e).add(static_cast<double>(i));
-      for (Dart const d : map.darts()) map.embedding(e).set_handle(d, orbits.number[d]);
-    }
-    return map;
-  }
+  Map polygons(std::vector<std::uint32_t> const& sides) const { return tests::polygons(*rule.modeler, sides); }
 };
 
 double real_at(Map const& map, Dart d) { return std::get<double>(map.embedding(0).value(map.embedding(0).handle(d))); }

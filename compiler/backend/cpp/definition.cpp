@@ -173,41 +173,39 @@ std::vector<std::pair<std::string, std::string>> listed_parameters(Function cons
   return list;
 }
 
-std::string listed_body(Function const& rule) {
+// Plan and commit of an independent rule, at one orbit of its hook or at all: a function of its own.
+struct Listed {
+  std::string body;
+  std::vector<std::pair<std::string, std::string>> parameters;  // those that the body mentions
+};
+
+Listed list(Function const& rule) {
   Function const f = rule.in(Form::listed);
-  Writer out;
-  out.open("");
+  Writer out(1);
   write_body(out, f, true, [&](Writer& body) {
     write_values(body, f);
     write_commit(body, f);
     write_result(body, f);
   });
-  return out.all().substr(1);
+  Listed listed{out.all(), listed_parameters(f)};
+  std::erase_if(listed.parameters, [&](auto const& parameter) { return !mentions(listed.body, parameter.second); });
+  return listed;
 }
 
-// Those that its text mentions.
-std::vector<std::pair<std::string, std::string>> needed_parameters(Function const& f) {
-  auto list = listed_parameters(f);
-  std::string const body = listed_body(f);
-  std::erase_if(list, [&](auto const& parameter) { return !mentions(body, parameter.second); });
-  return list;
-}
-
-// Plan and commit of an independent rule, at one orbit of its hook or at all.
-void define_listed(Writer& out, Function const& f) {
+void define_listed(Writer& out, Function const& f, Listed const& listed) {
   std::vector<std::string> parameters;
-  for (auto const& [type, name] : needed_parameters(f)) parameters.push_back(type + ' ' + name);
+  for (auto const& [type, name] : listed.parameters) parameters.push_back(type + ' ' + name);
   out.line("// What `{}` does where it has matched.", f.names.function);
   open_call(out, fmt::format("static {} {}", f.names.result, f.local("listed")), parameters, " {", true);
-  out.lines(listed_body(f));
+  out.lines(listed.body);
   out.close();
   out.line();
 }
 
 // "rewrite_cone(surface, n, match_a.data(), at_0, apex)"; in a function for all applications columns are vectors.
-void call_listed(Writer& out, Function const& f, std::string const& start, bool all) {
+void call_listed(Writer& out, Function const& f, Listed const& listed, std::string const& start, bool all) {
   std::vector<std::string> arguments;
-  for (auto const& [type, name] : needed_parameters(f)) {
+  for (auto const& [type, name] : listed.parameters) {
     bool const is_hook = name == f.darts[f.rule.hooks[0]];
     bool const is_column = std::any_of(f.columns.begin(), f.columns.end(), [&, &n = name](auto const& c) { return c.second == n; });
     bool const is_number = all && name == f.local("number");
@@ -218,15 +216,16 @@ void call_listed(Writer& out, Function const& f, std::string const& start, bool 
   open_call(out, start + f.local("listed"), arguments, ";", false);
 }
 
-void define_application(Writer& out, Function const& f) {
+// `listed`: of an independent rule.
+void define_application(Writer& out, Function const& f, Listed const* listed) {
   out.open("{} try {{", signature(f, true, Defaults::without, true));
   write_body(out, f, false, [&](Writer& body) {
     write_match(body, f);
     Writer plan(body.depth());
     write_conditions(plan, f);
-    if (!f.independent) write_values(plan, f);
+    if (!listed) write_values(plan, f);
     Writer rest(body.depth());
-    if (f.independent) {
+    if (listed) {
       rest.line();
       if (passes_lets(f)) {
         rest.line("jrule::rewrite::Index* const {} = {}.column({});", f.local("number"), f.workspace, f.size);
@@ -236,7 +235,7 @@ void define_application(Writer& out, Function const& f) {
         if (!f.uses_let[l]) continue;
         rest.line("std::vector<{}> const {}{{{}}};", stored_type(f.rule.lets[l].value->type), f.let_lists[l], f.lets[l]);
       }
-      call_listed(rest, f, "return ", false);
+      call_listed(rest, f, *listed, "return ", false);
     } else {
       write_commit(rest, f);
       write_result(rest, f);
@@ -308,7 +307,7 @@ void define_dense(Writer& out, Function const& rule) {
   out.line();
 }
 
-void define_at_once(Writer& out, Function const& f) {
+void define_at_once(Writer& out, Function const& f, Listed const& listed) {
   out.open("{} try {{", signature(f, false, Defaults::without, false));
   write_body(out, f, true, [&](Writer& body) {
     if (f.can_be_dense()) {
@@ -324,7 +323,7 @@ void define_at_once(Writer& out, Function const& f) {
     rest.line("if (!{0}) return tl::unexpected({0}.error());", f.local("applied"));
     rest.line("return {{}};");
     rest.close();
-    call_listed(rest, f, "", true);
+    call_listed(rest, f, listed, "", true);
     rest.line("return {{}};");
     write_all_matches(body, f, rest.all());
   });
@@ -348,16 +347,19 @@ std::string declare(Function const& f) {
 
 std::string define(Function const& f) {
   Writer out;
-  if (f.independent) define_listed(out, f);
-  define_application(out, f);
-  if (f.names.everywhere.empty()) return out.all();
-  out.line();
-  if (!f.independent) {
-    define_in_turn(out, f);
+  if (f.independent) {  // of rules with one hook
+    Listed const listed = list(f);
+    define_listed(out, f, listed);
+    define_application(out, f, &listed);
+    out.line();
+    if (f.can_be_dense()) define_dense(out, f);
+    define_at_once(out, f, listed);
     return out.all();
   }
-  if (f.can_be_dense()) define_dense(out, f);
-  define_at_once(out, f);
+  define_application(out, f, nullptr);
+  if (f.names.everywhere.empty()) return out.all();
+  out.line();
+  define_in_turn(out, f);
   return out.all();
 }
 

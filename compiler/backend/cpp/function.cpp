@@ -70,8 +70,6 @@ Function::Function(Rule const& accepted, source::Sources const& files, PublicNam
 
 void Function::name_values() {
   std::size_t const embedding_count = rule.modeler->embeddings.size();
-  reads_embedding.resize(embedding_count);
-  uses_embedding.resize(embedding_count);
   adds_values.resize(embedding_count);
   uses_parameter.resize(rule.parameters.size());
   uses_let.resize(rule.lets.size());
@@ -94,7 +92,6 @@ void Function::name_values() {
       std::string const& first = firsts[generators] = scope.take(name);
       locals[first + "_by"] = scope.take(first + "_by");
     }
-    if (component.kind != Kind::merge || !merges_on_trial(component.embedding)) uses_embedding[component.embedding] = true;
     if (component.kind == Kind::fresh || component.kind == Kind::assign) {
       adds_values[component.embedding] = true;
       if (component.clause) use(*rule.clauses[*component.clause].value);
@@ -115,15 +112,10 @@ void Function::use_walk(ir::Darts const& over) {
 }
 
 void Function::use(ir::Expr const& expr) {
-  auto const read = [&](std::size_t embedding) { reads_embedding[embedding] = uses_embedding[embedding] = true; };
   if (auto const* p = std::get_if<ir::ParameterRef>(&expr.value)) uses_parameter[p->index] = true;
   if (auto const* l = std::get_if<ir::LetRef>(&expr.value)) uses_let[l->index] = true;
   if (auto const* d = std::get_if<ir::Darts>(&expr.value)) use_walk(*d);
-  if (auto const* v = std::get_if<ir::ValueAt>(&expr.value)) read(v->embedding);
-  if (auto const* c = std::get_if<ir::Collect>(&expr.value)) {
-    read(c->embedding);
-    use_walk(c->over);
-  }
+  if (auto const* c = std::get_if<ir::Collect>(&expr.value)) use_walk(c->over);
   if (auto const* e = std::get_if<ir::ForEach>(&expr.value)) {
     std::string const& name = e->variable.name;
     if (!variables.contains(name)) variables[name] = scope.take(name);

@@ -61,7 +61,7 @@ struct Function {
   std::vector<std::string> members;                 ///< by node: its name in the result
 
   // What of these is used.
-  std::vector<bool> reads_embedding, uses_embedding, adds_values;
+  std::vector<bool> adds_values;
   std::vector<bool> uses_parameter, uses_let;
 
   Scope scope;
@@ -88,6 +88,8 @@ struct Function {
   std::string loop() const;
   /// The same for columns that are written one after the other: if dense, the index is one that compilers make streams of.
   std::string stream() const;
+  /// Is the word its own inverse as it stands: one letter of a dimension that is not oriented?
+  bool is_involution(Word const& word) const { return word.size() == 1 && !rule.model().is_oriented(word.front().dimension); }
   /// Is the word's column the map's own?
   bool is_aliased(Word const& word) const { return form == Form::dense && word.size() == 1 && !copied.contains(word); }
   /// Can all darts of a map be rewritten at once, without columns of their own?

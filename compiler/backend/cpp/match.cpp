@@ -15,10 +15,6 @@ std::string refuse(std::string const& error) {
   return fmt::format("return tl::unexpected(jrule::rewrite::{});", error);
 }
 
-bool is_involution(Model const& model, Word const& word) {
-  return word.size() == 1 && !model.is_oriented(word.front().dimension);
-}
-
 void write_pattern(Writer& out, Function const& f) {
   for (std::size_t h = 0; h < f.hooks.size(); ++h) {
     out.line("if (!{}.contains({})) {}", f.map, f.hooks[h],
@@ -34,7 +30,7 @@ void write_pattern(Writer& out, Function const& f) {
     out.line("jrule::Dart const {} = {}.pattern()[{}];", f.local("u"), f.workspace, f.index);
     for (Word const& word : f.plan.generators) {
       out.line("{}.meet({});", f.workspace, walk(f.map, f.local("u"), word));
-      if (is_involution(f.rule.model(), word)) continue;
+      if (f.is_involution(word)) continue;
       Word conjugate(word.rbegin(), word.rend());
       for (Letter& letter : conjugate) letter.conjugate = f.rule.model().is_oriented(letter.dimension) && !letter.conjugate;
       out.line("{}.meet({});", f.workspace, walk(f.map, f.local("u"), conjugate));
@@ -49,15 +45,11 @@ void write_pattern(Writer& out, Function const& f) {
   if (!alone) out.line("std::size_t const {} = {}.size();", f.size, f.darts[f.rule.hooks[0]]);
 }
 
-void explain_columns(Writer& out, Function const& f) {
+void write_columns(Writer& out, Function const& f) {
+  if (f.columns.empty()) return;
   out.line();
   out.line("// {}[{}] is the place in the pattern of the dart where the word {} leads from its {}-th dart; and so on.",
            f.columns.begin()->second, f.index, jrule::to_string(f.columns.begin()->first), f.index);
-}
-
-void write_columns(Writer& out, Function const& f) {
-  if (f.columns.empty()) return;
-  explain_columns(out, f);
   for (auto const& [word, name] : f.columns) out.line("jrule::rewrite::Index* const {} = {}.column({});", name, f.workspace, f.size);
   out.open("{} {{", f.loop());
   out.line("jrule::Dart const {} = {};", f.local("u"), f.dart(f.rule.hooks[0]));
@@ -112,8 +104,8 @@ void write_checks(Writer& out, Function const& f, Refuse refuse) {
   }
 }
 
-void write_injectivity(Writer& out, Function const& f) {
-  if (!f.plan.test_injectivity) return;
+// The match columns of all left nodes, for a test of injectivity.
+void write_matches(Writer& out, Function const& f) {
   std::vector<std::string> matches;
   for (ir::NodeId id = 0; id < f.rule.nodes.size(); ++id) {
     if (f.node(id).added()) continue;
@@ -122,6 +114,11 @@ void write_injectivity(Writer& out, Function const& f) {
   }
   out.line();
   out.line("std::span<jrule::Dart const> const {}[] = {{{}}};", f.local("matches"), fmt::join(matches, ", "));
+}
+
+void write_injectivity(Writer& out, Function const& f) {
+  if (!f.plan.test_injectivity) return;
+  write_matches(out, f);
   out.open("if (auto const {} = jrule::rewrite::matched_twice({}, {})) {{", f.local("twice"), f.local("matches"),
            f.workspace);
   out.text(refuse(fmt::format("matched_twice_error({}, *{})", literal(f.rule.name), f.local("twice"))));
@@ -130,15 +127,15 @@ void write_injectivity(Writer& out, Function const& f) {
 
 // ---- All applications ----
 
-// The columns of these words, over the union of the patterns; then what they are for, `text`.
-void write_with_all_columns(Writer& out, Function const& f, std::map<Word, std::string> const& columns, std::string const& text) {
+// The columns over the union of the patterns; then what they are for, `text`.
+void write_with_all_columns(Writer& out, Function const& f, std::string const& text) {
   std::string const& all = f.local("all");
   std::string const& hook = f.darts[f.rule.hooks[0]];
   out.line("{}.begin();", f.workspace);
   out.line("jrule::rewrite::mark_pattern({}, {}.pattern, {});", f.map, all, f.workspace);
   std::vector<Local> locals{{hook, fmt::format("std::span<jrule::Dart const> const {} = {}.pattern;", hook, all)},
                             {f.size, fmt::format("std::size_t const {} = {}.size();", f.size, hook)}};
-  for (auto const& [word, name] : columns) {
+  for (auto const& [word, name] : f.columns) {
     locals.push_back({name, fmt::format("jrule::rewrite::Column const {} = jrule::rewrite::bulk_column({}, {}.pattern, jrule::Word{}, {});",
                                         name, f.map, all, initializer(word), f.workspace)});
   }
@@ -186,17 +183,11 @@ void write_refusals(Writer& out, Function const& f) {
   write_steps(tests, f);
   write_checks(tests, f, [&](auto const&) { return fmt::format("{}[{}.number[{}]] = true;", refused, all, f.index); });
   if (f.plan.test_injectivity) {
-    std::vector<std::string> matches;
-    for (ir::NodeId id = 0; id < f.rule.nodes.size(); ++id) {
-      if (f.node(id).added()) continue;
-      matches.push_back(id == f.rule.hooks[0] ? f.darts[id] : fmt::format("{{{}, {}}}", f.darts[id], f.size));
-    }
-    tests.line();
-    tests.line("std::span<jrule::Dart const> const {}[] = {{{}}};", f.local("matches"), fmt::join(matches, ", "));
+    write_matches(tests, f);
     tests.line("jrule::rewrite::refuse_matched_twice({}, {}, {}, {});", all, f.local("matches"), f.workspace, refused);
   }
   write_all_conditions(tests, f);
-  write_with_all_columns(out, f, f.columns, tests.all());
+  write_with_all_columns(out, f, tests.all());
   out.close();
   out.line("{0} = jrule::rewrite::without({0}, {1});", all, refused);
 }
@@ -209,7 +200,7 @@ void write_all_matches(Writer& out, Function const& f, std::string const& text) 
   if (can_refuse(f)) write_refusals(out, f);
   Writer steps(out.depth());
   write_steps(steps, f);
-  write_with_all_columns(out, f, f.columns, steps.all() + text);
+  write_with_all_columns(out, f, steps.all() + text);
 }
 
 void write_dense_checks(Writer& out, Function const& f) {

@@ -50,9 +50,7 @@ void write_orbits(Writer& out, Function const& f) {
   for (auto const& [generators, first] : f.firsts) {
     std::vector<std::string> columns;
     for (Word const& word : generators) columns.push_back(f.columns.at(word));
-    bool const involutions = generators.size() == 2 && std::all_of(generators.begin(), generators.end(), [&](Word const& word) {
-      return word.size() == 1 && !f.rule.model().is_oriented(word.front().dimension);
-    });
+    bool const involutions = generators.size() == 2 && f.is_involution(generators[0]) && f.is_involution(generators[1]);
     std::string const& by = f.local(first + "_by");
     out.line("jrule::rewrite::Index const* const {}[] = {{{}}};", by, fmt::join(columns, ", "));
     out.line("jrule::rewrite::Index const* const {} = jrule::rewrite::pattern_orbits({}, {}, {}, {});", first, f.size, by, involutions,

@@ -5,6 +5,7 @@
 #include <opensubdiv/far/topologyRefinerFactory.h>
 
 #include "tests/bench/peers/own.h"
+#include "tests/smoothing/mixed.h"
 
 namespace jrule::bench {
 
@@ -12,15 +13,7 @@ namespace {
 
 namespace far = OpenSubdiv::Far;
 namespace sdc = OpenSubdiv::Sdc;
-
-// A point with the operations that OpenSubdiv asks for.
-struct Mixed {
-  Point3 point{};
-  void Clear() { point = {}; }
-  void AddWithWeight(Mixed const& other, double weight) {
-    point = {point.x + weight * other.point.x, point.y + weight * other.point.y, point.z + weight * other.point.z};
-  }
-};
+using test::Mixed;
 
 struct Refined {
   std::unique_ptr<far::TopologyRefiner> refiner;
