@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <new>
-#include <numeric>
 #include <utility>
+
+#include "jrule/orbit_walk.h"
 
 namespace jrule::rewrite {
 
@@ -130,51 +131,19 @@ std::optional<Dart> matched_twice(std::span<std::span<Dart const> const> matches
   return {};
 }
 
-Index const* pattern_orbits(std::size_t pattern_size, std::span<Index const* const> generators, bool involutions, Workspace& workspace) {
-  constexpr Index unknown = 0xffffffffU;
-  Index* const orbit = workspace.column(pattern_size);
-  std::fill(orbit, orbit + pattern_size, unknown);
-  if (generators.empty()) {
-    std::iota(orbit, orbit + pattern_size, Index{0});
-    return orbit;
-  }
-  if (involutions) {
-    Index const* const one = generators[0];
-    Index const* const two = generators[1];
-    for (Index start = 0; start < pattern_size; ++start) {
-      if (orbit[start] != unknown) continue;
-      // Both ways round, taking turns: a circle is met again, a path ends at a loop.
-      orbit[start] = start;
-      for (Index const* step : {one, two}) {
-        for (Index k = step[start]; orbit[k] == unknown; k = step[k]) {
-          orbit[k] = start;
-          step = step == one ? two : one;
-        }
-      }
-    }
-    return orbit;
-  }
-  Index* const open = generators.size() > 1 ? workspace.column(pattern_size) : nullptr;
-  for (Index start = 0; start < pattern_size; ++start) {
-    if (orbit[start] != unknown) continue;
-    orbit[start] = start;
-    if (generators.size() == 1) {
-      for (Index k = generators[0][start]; k != start; k = generators[0][k]) orbit[k] = start;
-      continue;
-    }
-    std::size_t count = 0;
-    open[count++] = start;
-    while (count != 0) {
-      Index const k = open[--count];
-      for (Index const* const generator : generators) {
-        Index const to = generator[k];
-        if (orbit[to] != unknown) continue;
-        orbit[to] = start;
-        open[count++] = to;
-      }
+void PatternOrbits::fill(Index* numbers, Index k, Index number) const noexcept {
+  numbers[k] = number;
+  std::size_t open = 0;
+  open_[open++] = k;
+  while (open != 0) {
+    Index const from = open_[--open];
+    for (Index const* const column : columns_) {
+      Index const to = column[from];
+      if (numbers[to] != unset) continue;
+      numbers[to] = number;
+      open_[open++] = to;
     }
   }
-  return orbit;
 }
 
 std::span<Dart const> collect_orbit(Map const& map, OrbitType const& type, Dart d, Workspace& workspace) noexcept {

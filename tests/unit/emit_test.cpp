@@ -75,11 +75,10 @@ TEST(Text, Literals) {
   EXPECT_EQ(literal(std::string_view("a\"\\\n")), R"("a\"\\\n")");
 }
 
-TEST(Text, WordsAndWalks) {
+TEST(Text, Words) {
   Word const word{{2, false}, {1, true}};
   EXPECT_EQ(initializer(word), "{{2, false}, {1, true}}");
   EXPECT_EQ(name_part(word), "2_b1");
-  EXPECT_EQ(walk("map", "a", word), "map.source(map.target(a, 2), 1)");
   EXPECT_EQ(orbit_expression(orbit_of_dimensions({0, 1})), "jrule::orbit_of_dimensions({0, 1})");
   EXPECT_EQ(orbit_expression({{word}}), "jrule::OrbitType{{{{2, false}, {1, true}}}}");
 }
@@ -196,7 +195,7 @@ TEST(Emit, CodeReadsFromTopToBottom) {
   expect_contains(code, R"(
   // shapes.jrule:11: a -2-> a
   for (std::size_t k = 0; k < n; ++k) {
-    jrule::Dart const at = match_a[k], to = map.target(at, 2), expected = match_a[k];
+    jrule::Dart const at = match_a[k], to = to_2[at], expected = match_a[k];
     if (to != expected) return tl::unexpected(jrule::rewrite::arc_differs("cone", "a", 2, "a", at, to, expected));
   }
 )");
@@ -208,8 +207,8 @@ TEST(Emit, CodeReadsFromTopToBottom) {
     return tl::unexpected(jrule::rewrite::requirement_failed("cone", "far > 0 and not (height < 0 or scale == 2)", {{"a", a}}));
 )cpp");
   expect_contains(code,
-                  "new_position.add(apex + (jrule::rewrite::total(walk_0_1_by_1, map, match_a[k], [&](jrule::Dart at) { "
-                  "return position_of[at]; }).mean() - position_of[map.target(match_a[k], 0)]) * all_far[number[k]]);\n");
+                  "new_position.add(apex + (jrule::rewrite::total(walk_0_1_by_1, match_a[k], [&](jrule::Dart at) { "
+                  "return position_of[at]; }).mean() - position_of[to_0[match_a[k]]]) * all_far[number[k]]));\n");
   expect_contains(code, "    for (std::size_t k = 0; k < n; ++k) arcs_2[match_a[k]] = added_b[k];\n");
   std::size_t const room = code.find("// ---- Room"), commit = code.find("// ---- Commit"), end = code.find("return ConeResult{"),
                     match = code.find("// ---- Match"), plan = code.find("// ---- Plan"), call = code.find("return rewrite_cone(");
@@ -259,16 +258,16 @@ rule smooth on Shape {
   right { a { position = if a@2 == a then start.position else mean(mean((<0,1>(f) by <>).position) for f in <1,2>(a)); } }
 }
 )").code;
-  expect_contains(code, "  jrule::Dart const start = map.target(map.target(a, 0), 1);\n");
+  expect_contains(code, "  jrule::Dart const start = to_1[to_0[a]];\n");
   expect_contains(code,
-                  "  if (!(jrule::rewrite::all(walk_1_2_by_1, map, start, [&](jrule::Dart k_) { "
-                  "return jrule::rewrite::count(walk_0_1_by_0, map, k_) > "
-                  "std::int64_t{3}; }) && static_cast<std::int64_t>(jrule::rewrite::each(walk_1_2, map, a, "
+                  "  if (!(jrule::rewrite::all(walk_1_2_by_1, start, [&](jrule::Dart k_) { "
+                  "return jrule::rewrite::count(walk_0_1_by_0, k_) > "
+                  "std::int64_t{3}; }) && static_cast<std::int64_t>(jrule::rewrite::each(walk_1_2, a, "
                   "[&](jrule::Dart) { return std::int64_t{1}; }).size()) > std::int64_t{4})) {\n");
   expect_contains(code,
-                  "new_position.add(map.target(match_a[k], 2) == match_a[k] ? position_of[all_start[number[k]]] : "
-                  "jrule::rewrite::total(walk_1_2, map, match_a[k], [&](jrule::Dart f) { return "
-                  "jrule::rewrite::total(walk_0_1, map, f, [&](jrule::Dart at) { return position_of[at]; }).mean(); }).mean());\n");
+                  "new_position.add(to_2[match_a[k]] == match_a[k] ? position_of[all_start[number[k]]] : "
+                  "jrule::rewrite::total(walk_1_2, match_a[k], [&](jrule::Dart f) { return "
+                  "jrule::rewrite::total(walk_0_1, f, [&](jrule::Dart at) { return position_of[at]; }).mean(); }).mean()));\n");
 }
 
 TEST(Emit, EqualInputsGiveEqualBytes) {

@@ -38,19 +38,74 @@ std::vector<Walked> of_omaps() {
   return {{vertex, {{}, vertex}}, {face, {{}, face}}, {backwards, {{}}}, {edge, {{}}}, {orbit_of_dimensions({1, 2}), {{}, vertex, face, edge}}};
 }
 
+template <class Walk>
+void expect_same_walk(Map const& map, OrbitType const& type, OrbitType const& by, Walk const& walk) {
+  for (Dart const d : map.darts()) {
+    std::vector<Dart> visited;
+    walk(d, [&](Dart at) { visited.push_back(at); });
+    ASSERT_EQ(visited, rewrite::representatives(map, type, by, d)) << to_string(type) << " by " << to_string(by) << " from dart " << d;
+    ASSERT_EQ(rewrite::count(walk, d), static_cast<std::int64_t>(visited.size()));
+  }
+}
+
+// By its shape, as generated code has it, and as any type.
+void expect_same_walks(Map const& map, OrbitType const& type, OrbitType const& by) {
+  expect_same_walk(map, type, by, rewrite::OrbitWalk(map, type, by));
+  auto const column = [&](Letter letter) {
+    return (letter.conjugate ? map.sources(letter.dimension) : map.targets(letter.dimension)).data();
+  };
+  auto const turns = [&](Word const& word) { return word.size() == 1 && !map.model().is_oriented(word.front().dimension); };
+  if (type.words.empty() || type == by) return expect_same_walk(map, type, by, rewrite::DartWalk{});
+  Word const& first = type.words[0];
+  if (type.words.size() == 1 && by.words.empty()) {
+    if (turns(first)) return expect_same_walk(map, type, by, rewrite::EdgeWalk(column(first[0])));
+    if (first.size() == 1) return expect_same_walk(map, type, by, rewrite::CycleWalk<1>({column(first[0])}));
+    ASSERT_EQ(first.size(), 2U);
+    return expect_same_walk(map, type, by, rewrite::CycleWalk<2>({column(first[0]), column(first[1])}));
+  }
+  if (type.words.size() != 2 || !turns(first) || !turns(type.words[1])) return;
+  Dart const *const one = column(first[0]), *const two = column(type.words[1][0]);
+  using rewrite::By;
+  if (by.words.empty()) expect_same_walk(map, type, by, rewrite::DihedralWalk<By::dart>(one, two));
+  if (by == OrbitType{{first}}) expect_same_walk(map, type, by, rewrite::DihedralWalk<By::first>(one, two));
+  if (by == OrbitType{{type.words[1]}}) expect_same_walk(map, type, by, rewrite::DihedralWalk<By::second>(one, two));
+}
+
 void expect_same_walks(Map const& map, std::vector<Walked> const& all) {
   for (Walked const& walked : all) {
-    for (OrbitType const& by : walked.by) {
-      rewrite::OrbitWalk const walk(map.model(), walked.type, by);
-      for (Dart const d : map.darts()) {
-        std::vector<Dart> visited;
-        walk(map, d, [&](Dart at) { visited.push_back(at); });
-        ASSERT_EQ(visited, rewrite::representatives(map, walked.type, by, d))
-            << to_string(walked.type) << " by " << to_string(by) << " from dart " << d;
-        ASSERT_EQ(rewrite::count(walk, map, d), static_cast<std::int64_t>(visited.size()));
-      }
+    for (OrbitType const& by : walked.by) expect_same_walks(map, walked.type, by);
+  }
+}
+
+// The orbits of all darts under columns: fill() gives each the number of one of its darts, and no other.
+template <class Orbits>
+void expect_same_orbits(Map const& map, OrbitType const& type, Orbits const& orbits) {
+  std::size_t const n = map.dart_limit();
+  rewrite::Workspace workspace;
+  workspace.begin();
+  rewrite::Index const* const first = rewrite::first_of_orbits(orbits, n, workspace);
+  OrbitNumbers const expected = number_orbits(map, type);
+  for (Dart d = 0; d < n; ++d) ASSERT_EQ(first[d], expected.first[expected.number[d]]) << to_string(type) << " at dart " << d;
+  for (Dart d = 0; d < n; ++d) {
+    std::vector<rewrite::Index> numbers(n, rewrite::unset);
+    orbits.fill(numbers.data(), d, 7);
+    for (Dart e = 0; e < n; ++e) {
+      ASSERT_EQ(numbers[e], expected.number[e] == expected.number[d] ? 7U : rewrite::unset) << to_string(type) << " from dart " << d;
     }
   }
+}
+
+void expect_same_orbits(Map const& map, int one, int two) {
+  rewrite::Index const *const first = map.targets(one).data(), *const second = map.targets(two).data();
+  rewrite::Index const* const columns[] = {first, second};
+  rewrite::Workspace workspace;
+  workspace.begin();
+  OrbitType const type = orbit_of_dimensions({one, two});
+  expect_same_orbits(map, type, rewrite::PatternOrbits(map.dart_limit(), columns, workspace));
+  expect_same_orbits(map, orbit_of_dimensions({one}), rewrite::CycleOrbits(first));
+  if (map.model().is_oriented(one)) return;
+  expect_same_orbits(map, type, rewrite::DihedralOrbits(first, second));
+  expect_same_orbits(map, type, rewrite::DihedralOrbits(second, first));
 }
 
 }  // namespace
@@ -61,12 +116,14 @@ TEST(OrbitWalk, VisitsTheRepresentativesInTheirOrder) {
     auto const map = read_map(data + file, gmap(2), {});
     ASSERT_TRUE(map);
     expect_same_walks(*map, of_gmaps());
+    for (int k = 0; k < 3; ++k) expect_same_orbits(*map, k, (k + 1) % 3);
   }
   for (char const* file : {"cube.obj", "tetrahedron.off", "grid.ply"}) {
     SCOPED_TRACE(file);
     auto const map = read_map(data + file, omap(2), {});
     ASSERT_TRUE(map);
     expect_same_walks(*map, of_omaps());
+    expect_same_orbits(*map, 1, 2);
   }
 }
 
@@ -80,6 +137,7 @@ TEST(OrbitWalk, VisitsTheSmallestOrbits) {
     map.link(2, 2, 3);
     map.link(2, 0, 3);
     expect_same_walks(map, of_gmaps());
+    for (int one = 0; one < 3; ++one) expect_same_orbits(map, one, (one + 1) % 3);
   }
 }
 

@@ -297,7 +297,7 @@ void define_dense(Writer& out, Function const& rule) {
                                             word.front().conjugate ? "sources" : "targets", word.front().dimension)});
       } else {
         locals.push_back({name, fmt::format("jrule::rewrite::Index* const {} = {}.column({});", name, f.workspace, f.size)});
-        locals.push_back({name, fmt::format("{} {}[{}] = {};", f.loop(), name, f.index, walk(f.map, f.index, word))});
+        locals.push_back({name, fmt::format("{} {}[{}] = {};", f.loop(), name, f.index, f.walk(f.index, word))});
       }
     }
     body.line("{}.begin();", f.workspace);

@@ -69,7 +69,7 @@ struct Emission {
     code.line("{}", title());
     code.line("#include \"{}{}.h\"", options.header_prefix.empty() ? "" : options.header_prefix + "/", program.module);
     code.line();
-    for (char const* file : {"cmath", "new", "stdexcept"}) code.line("#include <{}>", file);
+    for (char const* file : {"algorithm", "cmath", "new", "stdexcept"}) code.line("#include <{}>", file);
 
     for (Writer* out : {&header, &code}) {
       out->line();

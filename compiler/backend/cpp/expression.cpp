@@ -57,10 +57,10 @@ struct Printer {
     mentioned.insert(b.level);
     return {f().variables.at(b.name)};
   }
-  Code print_node(ir::Walk const& w) const { return {walk(f().map, print(*w.from).text, w.path)}; }
-  // The arguments that say which darts: "walk_1_2_by_1, map, a".
+  Code print_node(ir::Walk const& w) const { return {f().walk(print(*w.from).text, w.path)}; }
+  // The arguments that say which darts: "walk_1_2_by_1, a".
   std::string darts(ir::Darts const& d) const {
-    return fmt::format("{}, {}, {}", f().walks.at({d.orbit, d.by}), f().map, print(*d.at).text);
+    return fmt::format("{}, {}", f().walks.at({d.orbit, d.by}), print(*d.at).text);
   }
   Code print_node(ir::Darts const&) const { throw std::logic_error("darts are counted or aggregated"); }
   Code print_node(ir::ValueAt const& v) const {
@@ -69,7 +69,7 @@ struct Printer {
   Code print_node(ir::Collect const& c) const {
     return {fmt::format("{}.over({})", f().values[c.embedding], darts(c.over))};
   }
-  // "walk_1_2_by_1, map, a, [&](jrule::Dart f) { return …; }"
+  // "walk_1_2_by_1, a, [&](jrule::Dart f) { return …; }"
   std::string each(ir::Darts const& over, std::string const& name, std::string const& element) const {
     return fmt::format("{}, [&](jrule::Dart{}) {{ return {}; }}", darts(over), name, element);
   }

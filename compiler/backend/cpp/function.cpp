@@ -52,6 +52,11 @@ Function::Function(Rule const& accepted, source::Sources const& files, PublicNam
     arcs.push_back(scope.take(fmt::format("arcs_{}", d)));
     arc_sources.push_back(scope.take(fmt::format("sources_{}", d)));
   }
+  for (int const d : rule.model().dimensions) {
+    auto const dimension = static_cast<std::uint8_t>(d);
+    steps[{dimension, false}] = steps[{dimension, true}] = scope.take(fmt::format("to_{}", d));
+    if (rule.model().is_oriented(d)) steps[{dimension, true}] = scope.take(fmt::format("from_{}", d));
+  }
   for (ir::Arc const& arc : plan.writes) writes.push_back(&arc);
 
   for (ir::NodeId const hook : rule.hooks) hook_loops.push_back(scope.take("loops_" + node(hook).name));
@@ -87,10 +92,11 @@ void Function::name_values() {
       inherited.back().push_back(scope.take(fmt::format("handle_{}_{}", embedding, node(source.added).name)));
     }
     if (auto const generators = visited_orbits(component); !generators.empty() && !firsts.contains(generators)) {
-      std::string name = "first";
-      for (Word const& word : generators) name += "_" + name_part(word);
-      std::string const& first = firsts[generators] = scope.take(name);
-      locals[first + "_by"] = scope.take(first + "_by");
+      std::string words;
+      for (Word const& word : generators) words += "_" + name_part(word);
+      std::string const& name = orbits[generators] = scope.take("orbits" + words);
+      locals[name + "_columns"] = scope.take(name + "_columns");
+      firsts[generators] = scope.take("first" + words);
     }
     if (component.kind == Kind::fresh || component.kind == Kind::assign) {
       adds_values[component.embedding] = true;
@@ -101,7 +107,7 @@ void Function::name_values() {
   for (ir::Requirement const& requirement : rule.requirements) use(*requirement.condition);
 }
 
-void Function::use_walk(ir::Darts const& over) {
+void Function::name_walk(ir::Darts const& over) {
   std::pair const key(over.orbit, over.by);
   if (walks.contains(key)) return;
   std::string name = "walk";
@@ -109,17 +115,20 @@ void Function::use_walk(ir::Darts const& over) {
   if (!over.by.words.empty()) name += "_by";
   for (Word const& word : over.by.words) name += "_" + name_part(word);
   walks[key] = scope.take(name);
+  // Of types that take a set.
+  locals[walks[key] + "_type"] = scope.take(name + "_type");
+  locals[walks[key] + "_parts"] = scope.take(name + "_parts");
 }
 
 void Function::use(ir::Expr const& expr) {
   if (auto const* p = std::get_if<ir::ParameterRef>(&expr.value)) uses_parameter[p->index] = true;
   if (auto const* l = std::get_if<ir::LetRef>(&expr.value)) uses_let[l->index] = true;
-  if (auto const* d = std::get_if<ir::Darts>(&expr.value)) use_walk(*d);
-  if (auto const* c = std::get_if<ir::Collect>(&expr.value)) use_walk(c->over);
+  if (auto const* d = std::get_if<ir::Darts>(&expr.value)) name_walk(*d);
+  if (auto const* c = std::get_if<ir::Collect>(&expr.value)) name_walk(c->over);
   if (auto const* e = std::get_if<ir::ForEach>(&expr.value)) {
     std::string const& name = e->variable.name;
     if (!variables.contains(name)) variables[name] = scope.take(name);
-    use_walk(e->over);
+    name_walk(e->over);
   }
   for (ir::ExprPtr const& part : ir::parts(expr)) use(*part);
 }
@@ -161,6 +170,17 @@ std::string Function::written(ir::NodeId id, Word const& word) const {
   std::string const dart = place(id, word);
   bool const is_dart = form != Form::dense || (!node(id).added() && !word.empty());
   return is_dart ? dart : fmt::format("static_cast<jrule::Dart>({})", dart);
+}
+
+std::string Function::walk(std::string const& dart, Word const& word) const {
+  std::string at = dart;
+  for (Letter const letter : word) at = fmt::format("{}[{}]", steps.at(letter), at);
+  return at;
+}
+
+std::string Function::orbits_of(analysis::OrbitComponent const& component) const {
+  auto const found = orbits.find(visited_orbits(component));
+  return found == orbits.end() ? "" : found->second;
 }
 
 std::string Function::first(analysis::OrbitComponent const& component) const {

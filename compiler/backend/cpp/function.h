@@ -52,9 +52,11 @@ struct Function {
   std::vector<std::string> lets, let_lists;                ///< of one application, of all
   std::vector<std::string> embeddings, values, new_values;
   std::vector<std::string> dart_handles;            ///< by embedding: the map's column
+  std::map<Letter, std::string> steps;              ///< the map's columns by the letter that they follow: "to_0", "from_1"
   std::map<std::pair<OrbitType, OrbitType>, std::string> walks;  ///< that expressions range over, with their `by`
   std::map<std::string, std::string> variables;     ///< of comprehensions; those of one name are never within each other
   std::vector<std::string> hook_loops;              ///< by hook
+  std::map<std::vector<Word>, std::string> orbits;  ///< of the pattern, by their generators
   std::map<std::vector<Word>, std::string> firsts;  ///< by generators: by pattern dart, the first one of its orbit
   std::vector<std::string> handles;                 ///< by component of the plan
   std::vector<std::vector<std::string>> inherited;  ///< by component, then source
@@ -79,7 +81,10 @@ struct Function {
   std::string written(ir::NodeId id, Word const& word = {}) const;
   /// The index of u_k·word: "k", "at_2[k]".
   std::string at(Word const& word) const;
-  /// The column of the pattern's orbits that the component needs; empty if each dart is its own.
+  /// The dart where a word leads, in the map as it is before the commit: "to_2[from_1[a]]".
+  std::string walk(std::string const& dart, Word const& word) const;
+  /// The pattern's orbits that the component needs, and the column of their first darts; empty if each dart is its own.
+  std::string orbits_of(analysis::OrbitComponent const& component) const;
   std::string first(analysis::OrbitComponent const& component) const;
   /// Does merging orbits of that embedding, or of any, call a function that may throw?
   bool merges_on_trial(std::size_t embedding) const;
@@ -99,7 +104,7 @@ struct Function {
 
  private:
   void use(ir::Expr const& expr);
-  void use_walk(ir::Darts const& over);
+  void name_walk(ir::Darts const& over);
   void order_writes();
   void name_columns();
   void name_values();

@@ -29,11 +29,11 @@ void write_pattern(Writer& out, Function const& f) {
     out.open("for (std::size_t {0} = 0; {0} < {1}.pattern().size(); ++{0}) {{", f.index, f.workspace);
     out.line("jrule::Dart const {} = {}.pattern()[{}];", f.local("u"), f.workspace, f.index);
     for (Word const& word : f.plan.generators) {
-      out.line("{}.meet({});", f.workspace, walk(f.map, f.local("u"), word));
+      out.line("{}.meet({});", f.workspace, f.walk(f.local("u"), word));
       if (f.is_involution(word)) continue;
       Word conjugate(word.rbegin(), word.rend());
       for (Letter& letter : conjugate) letter.conjugate = f.rule.model().is_oriented(letter.dimension) && !letter.conjugate;
-      out.line("{}.meet({});", f.workspace, walk(f.map, f.local("u"), conjugate));
+      out.line("{}.meet({});", f.workspace, f.walk(f.local("u"), conjugate));
     }
     out.close();
   }
@@ -54,7 +54,7 @@ void write_columns(Writer& out, Function const& f) {
   out.open("{} {{", f.loop());
   out.line("jrule::Dart const {} = {};", f.local("u"), f.dart(f.rule.hooks[0]));
   for (auto const& [word, name] : f.columns) {
-    out.line("{}[{}] = {}.value({});", name, f.index, f.workspace, walk(f.map, f.local("u"), word));
+    out.line("{}[{}] = {}.value({});", name, f.index, f.workspace, f.walk(f.local("u"), word));
   }
   out.close();
 }
@@ -84,7 +84,7 @@ void write_steps(Writer& out, Function const& f) {
     out.line();
     out.line("// {}: {}", place(f.sources, node.span()), node.name);
     out.line("jrule::Dart* const {} = {}.column({});", f.darts[s.node], f.workspace, f.size);
-    out.line("{} {} = {};", f.loop(), f.dart(s.node), step(f.map, f.dart(s.from, s.word), s.letter));
+    out.line("{} {} = {};", f.loop(), f.dart(s.node), f.walk(f.dart(s.from, s.word), {s.letter}));
   }
 }
 
@@ -97,8 +97,8 @@ void write_checks(Writer& out, Function const& f, Refuse refuse) {
     out.line("// {}: {}", place(f.sources, check.span),
              arc_text(f.rule, check.source, check.dimension, check.word, check.target));
     out.open("{} {{", f.loop());
-    out.line("jrule::Dart const {0} = {1}, {2} = {4}.target({0}, {5}), {3} = {6};", at, f.dart(check.source), to,
-             expected, f.map, check.dimension, f.dart(check.target, check.word));
+    out.line("jrule::Dart const {0} = {1}, {2} = {4}, {3} = {5};", at, f.dart(check.source), to,
+             expected, f.walk(at, {{static_cast<std::uint8_t>(check.dimension), false}}), f.dart(check.target, check.word));
     out.line("if ({} != {}) {}", to, expected, refuse(check));
     out.close();
   }

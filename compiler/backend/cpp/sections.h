@@ -37,7 +37,7 @@ void write_with_locals(Writer& out, std::vector<Local> const& locals, std::strin
 bool mentions(std::string_view text, std::string_view name);
 /// The map, the workspace, the embeddings.
 std::vector<Local> map_locals(Function const& f);
-/// What expressions read the map with.
+/// What expressions read the map with, and the orbits of the pattern.
 std::vector<Local> view_locals(Function const& f);
 
 }  // namespace jrule::cpp

@@ -102,16 +102,6 @@ std::string name_part(Word const& word) {
   return text;
 }
 
-std::string step(std::string const& map, std::string const& dart, Letter letter) {
-  return fmt::format("{}.{}({}, {})", map, letter.conjugate ? "source" : "target", dart, letter.dimension);
-}
-
-std::string walk(std::string const& map, std::string const& dart, Word const& word) {
-  std::string at = dart;
-  for (Letter const letter : word) at = step(map, at, letter);
-  return at;
-}
-
 std::string file_name(source::Sources const& sources, source::Span span) {
   if (span.file == source::no_file) return "unknown";
   std::string const& path = sources.file(span.file).path;

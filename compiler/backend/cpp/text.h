@@ -31,9 +31,6 @@ std::string orbit_expression(OrbitType const& orbit);
 /// For names: "2_1", "2_b1" for [2,~1].
 std::string name_part(Word const& word);
 
-/// The dart that a step or a walk leads to: "map.target(map.source(a, 1), 2)".
-std::string step(std::string const& map, std::string const& dart, Letter letter);
-std::string walk(std::string const& map, std::string const& dart, Word const& word);
 
 /// The name of the file without its folder, and the line: "surface.jrule:12".
 std::string place(source::Sources const& sources, source::Span span);

@@ -40,38 +40,22 @@ void write_new_values(Writer& out, Function const& f) {
   }
 }
 
-// first_w[k]: the first dart of the pattern in the orbit of its k-th one under some words.
-void write_orbits(Writer& out, Function const& f) {
-  if (f.firsts.empty()) return;
-  out.line();
-  auto const& [words, name] = *f.firsts.begin();
-  out.line("// {}[{}] is the first dart of the pattern in the {}-orbit of its {}-th dart{}.", name, f.index,
-           jrule::to_string(OrbitType{words}), f.index, f.firsts.size() > 1 ? "; and so on" : "");
-  for (auto const& [generators, first] : f.firsts) {
-    std::vector<std::string> columns;
-    for (Word const& word : generators) columns.push_back(f.columns.at(word));
-    bool const involutions = generators.size() == 2 && f.is_involution(generators[0]) && f.is_involution(generators[1]);
-    std::string const& by = f.local(first + "_by");
-    out.line("jrule::rewrite::Index const* const {}[] = {{{}}};", by, fmt::join(columns, ", "));
-    out.line("jrule::rewrite::Index const* const {} = jrule::rewrite::pattern_orbits({}, {}, {}, {});", first, f.size, by, involutions,
-             f.workspace);
-  }
-}
-
 // One new value for each orbit, made at the first of its pattern darts.
 void write_clause(Writer& out, Function const& f, std::size_t c) {
   auto const& component = f.plan.orbits[c];
-  std::string const &handle = f.handles[c], first = f.first(component);
+  std::string const &handle = f.handles[c], orbits = f.orbits_of(component);
   std::string const add = fmt::format("{}.add({})", f.new_values[component.embedding],
                                       expression(*f.rule.clauses[*component.clause].value, f, Where::in_loop));
   out.line("jrule::Handle* const {} = {}.column({});", handle, f.workspace, f.size);
-  out.open("{} {{", f.loop());
-  if (first.empty()) {
-    out.line("{}[{}] = {};", handle, f.index, add);
-  } else {
-    out.line("{0}[{1}] = {2}[{1}] < {1} ? {0}[{2}[{1}]]", handle, f.index, first);
-    out.line("{:{}} : {};", "", handle.size() + first.size() + 3 * f.index.size() + 10, add);
+  if (orbits.empty()) {
+    out.line("{} {}[{}] = {};", f.loop(), handle, f.index, add);
+    return;
   }
+  out.line("std::fill({0}, {0} + {1}, jrule::no_handle);", handle, f.size);
+  out.open("{} {{", f.loop());
+  std::string const index = f.form == Form::dense ? f.index : fmt::format("static_cast<jrule::rewrite::Index>({})", f.index);
+  out.line("if ({}[{}] != jrule::no_handle) continue;", handle, f.index);
+  out.line("{}.fill({}, {}, {});", orbits, handle, index, add);
   out.close();
 }
 
@@ -88,7 +72,7 @@ void write_inherited(Writer& out, Function const& f, std::size_t c) {
     if (source.tail.empty()) continue;
     out.line("jrule::Handle* const {} = {}.column({});", f.inherited[c][i], f.workspace, f.size);
     out.line("{} {}[{}] = {}.handle({});", f.loop(), f.inherited[c][i], f.index, f.embeddings[component.embedding],
-             walk(f.map, f.dart(source.preserved, source.word), source.tail));
+             f.walk(f.dart(source.preserved, source.word), source.tail));
   }
 }
 
@@ -136,7 +120,6 @@ void write_component(Writer& out, Function const& f, std::size_t c) {
 
 void write_values(Writer& out, Function const& f) {
   write_new_values(out, f);
-  write_orbits(out, f);
   for (std::size_t c = 0; c < f.plan.orbits.size(); ++c) {
     if (is_planned(f.plan.orbits[c])) write_component(out, f, c);
   }

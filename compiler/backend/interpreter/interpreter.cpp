@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "compiler/backend/interpreter/evaluate.h"
+#include "jrule/orbit_walk.h"
 #include "jrule/bulk.h"
 
 namespace jrule::interpreter {
@@ -225,7 +226,8 @@ struct Application {
     } else {
       std::vector<Index const*> generators;
       for (Word const& g : component.generators) generators.push_back(column(g).data());
-      Index const* const orbit = rewrite::pattern_orbits(size(), generators, false, workspace);
+      Index const* const orbit =
+          rewrite::first_of_orbits(rewrite::PatternOrbits(size(), generators, workspace), size(), workspace);
       orbits.orbit.assign(orbit, orbit + size());
     }
     if (component.kind == Kind::fresh || component.kind == Kind::assign) {

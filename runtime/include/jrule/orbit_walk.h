@@ -1,74 +1,168 @@
-// Walks over orbits as generated code has them: the darts of orbit() and representatives(), in their order, without a set of
-// those seen, where the shape of the orbit tells which they are.
+// Orbits as generated code visits them, by their shapes: those whose darts lie on a circle or a path are followed along
+// columns of darts, without a set of the darts seen. A column says for each dart where one step leads.
 #pragma once
+
+#include <algorithm>
+#include <array>
+#include <utility>
 
 #include "jrule/map.h"
 #include "jrule/rewrite.h"
 
 namespace jrule::rewrite {
 
-/// One dart for each ⟨by⟩-orbit inside an orbit of a type; without `by`, each dart. Made once for each place that walks.
-class OrbitWalk {
- public:
-  /// ⟨by⟩ must be a subgroup of ⟨type⟩.
-  OrbitWalk(Model const& model, OrbitType type, OrbitType by);
+// ---- Walks ----
+//
+// Each calls `visit` with the darts of representatives(map, type, by, d), in their order: one for each ⟨by⟩-orbit inside
+// ⟨type⟩(d), or every dart if there is no `by`. O(orbit). Columns must outlive the walk.
 
-  /// Calls `visit` with the darts of representatives(), in their order. O(orbit · words); allocates only where the orbit is
-  /// neither that of one word nor of two non-oriented dimensions.
+/// A type that is empty, or the same as its `by`.
+struct DartWalk {
   template <class Visit>
-  void operator()(Map const& map, Dart d, Visit visit) const {
-    switch (shape_) {
-      case Shape::dart: return visit(d);
-      case Shape::cycle: return cycle(map, d, visit);
-      case Shape::dihedral: return dihedral(map, d, visit);
-      case Shape::other:
-        for (Dart const member : representatives(map, type_, by_words_, d)) visit(member);
-    }
+  void operator()(Dart d, Visit visit) const {
+    visit(d);
+  }
+};
+
+/// One dimension that is not oriented: two darts, or one.
+class EdgeWalk {
+ public:
+  explicit EdgeWalk(Dart const* column) : column_(column) {}
+  template <class Visit>
+  void operator()(Dart d, Visit visit) const {
+    visit(d);
+    if (Dart const to = column_[d]; to != d) visit(to);
   }
 
  private:
-  enum class Shape : std::uint8_t { dart, cycle, dihedral, other };
+  Dart const* column_;
+};
 
+/// One word, letter by letter.
+template <std::size_t length>
+class CycleWalk {
+ public:
+  explicit CycleWalk(std::array<Dart const*, length> columns) : columns_(columns) {}
   template <class Visit>
-  void cycle(Map const& map, Dart d, Visit visit) const {
-    Word const& word = type_.words.front();
+  void operator()(Dart d, Visit visit) const {
     Dart at = d;
     do {
       visit(at);
-      at = map.walk(at, word);
+      for (Dart const* column : columns_) at = column[at];
     } while (at != d);
   }
 
-  // The darts lie on a circle, or on a path between two loops; the two dimensions take turns.
+ private:
+  std::array<Dart const*, length> columns_;
+};
+
+enum class By { dart, first, second };  ///< every dart, or one for each orbit of the first or second dimension
+
+/// Two dimensions that are not oriented: the darts lie on a circle, or on a path between two loops, where they take turns.
+template <By by>
+class DihedralWalk {
+ public:
+  DihedralWalk(Dart const* first, Dart const* second) : first_(first), second_(second) {}
   template <class Visit>
-  void dihedral(Map const& map, Dart d, Visit visit) const {
-    std::span<Dart const> const one = map.targets(one_), two = map.targets(two_);
+  void operator()(Dart d, Visit visit) const {
     visit(d);
-    if (run(one, two, d, by_ != one_, by_ != two_, visit)) return;
-    (void)run(two, one, d, by_ != two_, by_ != one_, visit);
+    if (run<by != By::first, by != By::second>(first_, second_, d, visit)) return;
+    (void)run<by != By::second, by != By::first>(second_, first_, d, visit);
   }
-  // From d on, along `first`, then `second`, and so on: has the circle closed? A dart is counted unless its ⟨by⟩-orbit has been:
+
+ private:
+  // From d on, along one, then the other, and so on: has the circle closed? A dart is counted unless its ⟨by⟩-orbit has been:
   // if it was reached by that dimension, or if that leads on to d.
-  template <class Visit>
-  bool run(std::span<Dart const> first, std::span<Dart const> second, Dart d, bool first_counts, bool second_counts, Visit& visit) const {
+  template <bool one_counts, bool other_counts, class Visit>
+  static bool run(Dart const* one, Dart const* other, Dart d, Visit& visit) {
     for (Dart at = d;;) {
-      Dart to = first[at];
+      Dart to = one[at];
       if (to == at) return false;
       if (to == d) return true;
-      if (first_counts && (second_counts || second[to] != d)) visit(to);
+      if (one_counts && (other_counts || other[to] != d)) visit(to);
       at = to;
-      to = second[at];
+      to = other[at];
       if (to == at) return false;
       if (to == d) return true;
-      if (second_counts && (first_counts || first[to] != d)) visit(to);
+      if (other_counts && (one_counts || one[to] != d)) visit(to);
       at = to;
     }
   }
 
-  OrbitType type_, by_words_;
-  Shape shape_ = Shape::other;
-  int one_ = -1, two_ = -1;  // dihedral: the dimensions
-  int by_ = -1;              // dihedral: the one whose orbits are counted once
+  Dart const *first_, *second_;
 };
+
+/// Any type: with a set, which takes memory.
+class OrbitWalk {
+ public:
+  /// ⟨by⟩ must be a subgroup of ⟨type⟩. Both must outlive it, as the map.
+  OrbitWalk(Map const& map, OrbitType const& type, OrbitType const& by) : map_(map), type_(type), by_(by) {}
+  template <class Visit>
+  void operator()(Dart d, Visit visit) const {
+    for (Dart const member : representatives(map_, type_, by_, d)) visit(member);
+  }
+
+ private:
+  Map const& map_;
+  OrbitType const &type_, &by_;
+};
+
+// ---- Orbits of the pattern ----
+//
+// To be filled with what their indices share: fill() gives k's orbit the number, which is not `unset`; until then it is unset
+// in the column. O(orbit · columns). A column says for each index of the pattern where one step leads.
+
+/// What a column holds where nothing is filled in.
+inline constexpr Index unset = 0xffffffffU;
+
+/// One column.
+class CycleOrbits {
+ public:
+  explicit CycleOrbits(Index const* column) : column_(column) {}
+  void fill(Index* numbers, Index k, Index number) const noexcept {
+    // Columns are permutations of a finite set: where they lead, they come back from.
+    Index at = k;
+    do {
+      numbers[at] = number;
+      at = column_[at];
+    } while (at != k);
+  }
+
+ private:
+  Index const* column_;
+};
+
+/// Two columns, each its own inverse.
+class DihedralOrbits {
+ public:
+  DihedralOrbits(Index const* first, Index const* second) : first_(first), second_(second) {}
+  void fill(Index* numbers, Index k, Index number) const noexcept {
+    numbers[k] = number;
+    run(first_, second_, numbers, k, number);
+    run(second_, first_, numbers, k, number);
+  }
+
+ private:
+  // A circle is met again, a path ends at a loop.
+  static void run(Index const* one, Index const* other, Index* numbers, Index k, Index number) noexcept {
+    for (Index at = one[k]; numbers[at] == unset; at = one[at]) {
+      numbers[at] = number;
+      std::swap(one, other);
+    }
+  }
+
+  Index const *first_, *second_;
+};
+
+/// For each index of a pattern of n darts the smallest one of its orbit, a column of the workspace. May throw std::bad_alloc.
+template <class Orbits>
+Index const* first_of_orbits(Orbits const& orbits, std::size_t n, Workspace& workspace) {
+  Index* const first = workspace.column(n);
+  std::fill(first, first + n, unset);
+  for (std::size_t k = 0; k < n; ++k) {
+    if (first[k] == unset) orbits.fill(first, static_cast<Index>(k), static_cast<Index>(k));
+  }
+  return first;
+}
 
 }  // namespace jrule::rewrite

@@ -108,9 +108,18 @@ std::span<Dart const> walk_in_step(Map const& map, Dart hook, std::size_t patter
 /// Do the match columns name each dart once? If not, the first dart that is matched twice. Forgets P's marks.
 std::optional<Dart> matched_twice(std::span<std::span<Dart const> const> matches, Workspace& workspace);
 
-/// The orbits of P under columns: for each k the smallest index of its orbit, a column of the workspace. `involutions` says
-/// that there are two generators, each its own inverse. O(n · generators).
-Index const* pattern_orbits(std::size_t pattern_size, std::span<Index const* const> generators, bool involutions, Workspace& workspace);
+/// The orbits of P under columns: orbit_walk.h has simpler ones for few columns, and says what fill() does.
+class PatternOrbits {
+ public:
+  /// The columns, and the array that lists them, must outlive it. May throw std::bad_alloc.
+  PatternOrbits(std::size_t pattern_size, std::span<Index const* const> columns, Workspace& workspace)
+      : columns_(columns), open_(workspace.column(pattern_size)) {}
+  void fill(Index* numbers, Index k, Index number) const noexcept;
+
+ private:
+  std::span<Index const* const> columns_;
+  Index* open_;  // indices whose neighbours are still to be met
+};
 
 /// The darts of the orbit, `d` first, in the workspace's queue; marks them. Nothing if `d` is marked already. The workspace
 /// must have room for every dart; then it does not allocate.

@@ -22,9 +22,10 @@ using Read = std::conditional_t<std::is_constructible_v<Value, std::in_place_typ
 /// Adds a value to the pool of an embedding; strong guarantee.
 template <class T>
 Handle add(ColumnOf<Stored<T>>& pool, T value) {
-  if (pool.size() >= no_handle - 1) throw std::length_error("too many values");
+  std::size_t const handle = pool.size();
+  if (handle >= no_handle - 1) throw std::length_error("too many values");
   pool.push_back(std::move(value));
-  return static_cast<Handle>(pool.size() - 1);
+  return static_cast<Handle>(handle);
 }
 template <class T>
 Handle add(Embedding& embedding, T value) {
@@ -38,9 +39,10 @@ class Values {
   explicit Values(Embedding const& embedding) : handles_(embedding.handles().data()), pool_(embedding.values<Stored<T>>()) {}
   Read<T> operator[](Dart d) const { return static_cast<Read<T>>(pool_[handles_[d]]); }
   /// Those at the darts of a walk.
-  std::vector<Stored<T>> over(OrbitWalk const& walk, Map const& map, Dart d) const {
+  template <class Walk>
+  std::vector<Stored<T>> over(Walk const& walk, Dart d) const {
     std::vector<Stored<T>> list;
-    walk(map, d, [&](Dart at) { list.push_back(pool_[handles_[at]]); });
+    walk(d, [&](Dart at) { list.push_back(pool_[handles_[at]]); });
     return list;
   }
 
@@ -50,10 +52,10 @@ class Values {
 };
 
 /// The list of the values of `element` at the darts of a walk.
-template <class Element>
-auto each(OrbitWalk const& walk, Map const& map, Dart d, Element element) {
+template <class Walk, class Element>
+auto each(Walk const& walk, Dart d, Element element) {
   std::vector<Stored<decltype(element(d))>> list;
-  walk(map, d, [&](Dart at) { list.push_back(element(at)); });
+  walk(d, [&](Dart at) { list.push_back(element(at)); });
   return list;
 }
 
@@ -101,27 +103,28 @@ class Total<std::int64_t> {
   Total<double> reals_;
 };
 
-template <class Element>
-auto total(OrbitWalk const& walk, Map const& map, Dart d, Element element) {
+template <class Walk, class Element>
+auto total(Walk const& walk, Dart d, Element element) {
   Total<std::decay_t<decltype(element(d))>> total;
-  walk(map, d, [&](Dart at) { total.add(element(at)); });
+  walk(d, [&](Dart at) { total.add(element(at)); });
   return total;
 }
 /// Is `element` true at some dart of a walk, at all of them? It is evaluated at each.
-template <class Element>
-bool any(OrbitWalk const& walk, Map const& map, Dart d, Element element) {
+template <class Walk, class Element>
+bool any(Walk const& walk, Dart d, Element element) {
   bool found = false;
-  walk(map, d, [&](Dart at) { found = element(at) || found; });
+  walk(d, [&](Dart at) { found = element(at) || found; });
   return found;
 }
-template <class Element>
-bool all(OrbitWalk const& walk, Map const& map, Dart d, Element element) {
-  return !any(walk, map, d, [&](Dart at) { return !element(at); });
+template <class Walk, class Element>
+bool all(Walk const& walk, Dart d, Element element) {
+  return !any(walk, d, [&](Dart at) { return !element(at); });
 }
 /// The number of darts of a walk.
-inline std::int64_t count(OrbitWalk const& walk, Map const& map, Dart d) {
+template <class Walk>
+std::int64_t count(Walk const& walk, Dart d) {
   std::int64_t count = 0;
-  walk(map, d, [&](Dart) { ++count; });
+  walk(d, [&](Dart) { ++count; });
   return count;
 }
 
