@@ -26,6 +26,7 @@ class Module {
   };
   /// Fails the test if there is none of that name.
   Rule const& rule(std::string const& name) const;
+  std::size_t size() const { return rules_.size(); }
 
  private:
   std::vector<Rule> rules_;

@@ -1,0 +1,31 @@
+// The shapes to which the tests of the library apply its rules.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compiler/ir/rule_scheme.h"
+#include "tests/smoothing/polygons.h"
+
+namespace jrule::test {
+
+/// Faces turn to the left seen from outside, so that they make an O-map too.
+struct Shape {
+  std::string name;
+  Polygons polygons;
+};
+
+/// The five Platonic solids.
+std::vector<Shape> const& platonic_solids();
+/// The same, a torus of 4 × 4 quads, and the bunny: all closed surfaces.
+std::vector<Shape> const& closed_surfaces();
+/// n × m quads in a plane.
+Shape grid(std::size_t n, std::size_t m);
+/// A strip of n quads with half a turn, which has one side.
+Shape moebius(std::size_t n);
+
+/// A map of a modeler on gmap(2) or omap(2) whose first embedding is of points on vertices; others have their defaults.
+/// Faces become darts in their order. A free edge stays a loop: none for an O-map.
+Map build(ir::Modeler const& modeler, Polygons const& polygons);
+
+}  // namespace jrule::test
