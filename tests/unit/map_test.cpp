@@ -321,6 +321,53 @@ TEST(Violation, OfValues) {
   EXPECT_EQ(v->dart, 1u);
 }
 
+// One arc, one source or one value that is another: nothing of a closed surface may be left unnoticed.
+TEST(Violation, OfAnyChange) {
+  for (Map map : {gmap_surface(cube), omap_surface(cube)}) {
+    auto const expect_noticed = [&](Dart& place) {
+      for (Dart const other : {Dart{0}, Dart{7}, map.dart_limit(), no_dart}) {
+        Dart const old = std::exchange(place, other);
+        EXPECT_EQ(text_of(find_violation(map)) == "none", old == other) << "from " << old << " to " << other;
+        place = old;
+      }
+    };
+    for (int const i : map.model().dimensions) {
+      for (Dart d = 0; d < map.dart_limit(); ++d) {
+        expect_noticed(map.arcs(i)[d]);
+        if (map.model().is_oriented(i)) expect_noticed(map.sources_of_arcs(i)[d]);
+      }
+    }
+    EXPECT_EQ(text_of(find_violation(map)), "none");
+  }
+  for (auto const& [type, darts] : {std::pair(orbit_of_dimensions({1, 2}), 6), std::pair(orbit_of_dimensions({0, 1}), 8)}) {
+    Map map = gmap_surface(cube);
+    Map valued(gmap(2), {{.name = "x", .orbit = type, .type = Type::Int}});
+    valued.add_darts(map.dart_count());
+    for (int const i : map.model().dimensions) {
+      for (Dart d = 0; d < map.dart_limit(); ++d) valued.set_target(d, i, map.target(d, i));
+    }
+    Embedding& x = valued.embedding(0);
+    OrbitNumbers const orbits = number_orbits(valued, type);
+    for (std::size_t k = 0; k < orbits.first.size(); ++k) x.add(Value(static_cast<std::int64_t>(k)));
+    Handle const same = x.add(Value(std::int64_t{0})), another = x.add(Value(std::int64_t{-1}));
+    for (Dart d = 0; d < valued.dart_limit(); ++d) x.set_handle(d, orbits.number[d]);
+    EXPECT_EQ(text_of(find_violation(valued)), "none");
+    int others = 0;
+    for (Dart d = 0; d < valued.dart_limit(); ++d) {
+      Handle const old = x.handle(d);
+      for (Handle const handle : {another, static_cast<Handle>(x.value_count()), no_handle}) {
+        x.set_handle(d, handle);
+        EXPECT_NE(text_of(find_violation(valued)), "none") << "dart " << d;
+      }
+      x.set_handle(d, same);  // another place for the value of the first orbit
+      EXPECT_EQ(text_of(find_violation(valued)) == "none", orbits.number[d] == 0) << "dart " << d;
+      if (orbits.number[d] == 0) ++others;
+      x.set_handle(d, old);
+    }
+    EXPECT_EQ(others, darts);
+  }
+}
+
 TEST(Violation, IsTheFirstInTheOrderOfTheConstraints) {
   Map map(closed_gmap(2));
   map.add_darts(4);  // loops everywhere: closedness fails
