@@ -13,6 +13,10 @@ function(jrule_target_options target)
                                             -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=address,undefined)
   endif()
+  if(JRULE_SANITIZE_THREADS)
+    target_compile_options(${target} PUBLIC -fsanitize=thread -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=thread)
+  endif()
 endfunction()
 
 # jrule_library(name SOURCES ... LINKS ...): one stage of the compiler, as a static library.

@@ -10,4 +10,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION devel)
 # What the executable needs is found out; users' programs need the headers that the runtime includes, and what it links.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libexpected-dev, libfmt-dev")
+if(JRULE_TBB)
+  string(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS ", libtbb-dev")
+endif()
 include(CPack)

@@ -33,7 +33,7 @@ std::optional<int> input_dimension(std::string const& path) {
 }
 
 Result<void> apply_at(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map, std::string const& at, std::vector<Value> const& values,
-                      std::size_t& count) {
+                      Threads threads, std::size_t& count) {
   rewrite::Workspace workspace;
   std::vector<Dart> hooks;
   if (rule.hooks.empty()) {
@@ -42,8 +42,9 @@ Result<void> apply_at(ir::RuleScheme const& rule, analysis::Plan const& plan, Ma
     if (rule.hooks.size() > 1) {
       return fail(Error::Kind::bad_input, fmt::format("`{}` has {} hooks: give a dart for each, `--at dart:3,dart:17`", rule.name, rule.hooks.size()));
     }
-    auto const everywhere = analysis::analyze_independence(rule, plan).independent() ? interpreter::apply_all : interpreter::apply_everywhere;
-    auto const applied = everywhere(rule, plan, map, values, workspace);
+    auto const applied = analysis::analyze_independence(rule, plan).independent()
+                             ? interpreter::apply_all(rule, plan, map, values, workspace, threads)
+                             : interpreter::apply_everywhere(rule, plan, map, values, workspace);
     if (!applied) return tl::unexpected(applied.error());
     count = *applied;
     return {};
@@ -122,8 +123,9 @@ int apply(ApplyOptions const& options) {
   if (!values) return report_error(values.error());
   auto map = read_input(options, rule);
   if (!map) return report_error(map.error());
+  Threads const threads = options.threads == 0 ? Threads::all() : Threads{options.threads};
   std::size_t count = 0;
-  if (auto const applied = apply_at(rule, chosen->plan, *map, options.at, *values, count); !applied) return report_error(applied.error());
+  if (auto const applied = apply_at(rule, chosen->plan, *map, options.at, *values, threads, count); !applied) return report_error(applied.error());
   // The analysis has proved that this cannot be; the output is checked all the same, since a fault here must not spread.
   if (auto const violation = find_violation(*map)) {
     throw std::logic_error(fmt::format("applying the accepted rule `{}` broke the map: {}", rule.name, violation->text));

@@ -65,6 +65,8 @@ int run(int argc, char const* const* argv) {
   apply_command.add_option("--in", apply_options.in, "mesh: .obj .off .ply .stl .jmap; not for rules that create")->type_name("MESH");
   apply_command.add_option("--out", apply_options.out, "mesh to write")->type_name("MESH")->required();
   apply_command.add_option("--at", apply_options.at, "all, dart:N, vertex:N, edge:N, face:N, volume:N; one for each hook: dart:3,dart:17")->type_name("SEL");
+  apply_command.add_option("--threads", apply_options.threads, "take so many threads at most, for rules applied at all orbits at once; default: all")
+      ->check(CLI::Range(1U, 1024U));
   apply_command.add_option("--picture", apply_options.picture, "draw the result")->type_name("SVG");
   apply_command.add_option("--stats", apply_stats, "print counts of the result as json")->check(CLI::IsMember({"json"}))->type_name("json");
   apply_command.add_option("NAME=VALUE", apply_options.values, "parameters of the rule, e.g. apex=0,0,1");

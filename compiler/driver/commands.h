@@ -55,6 +55,7 @@ struct ApplyOptions {
   std::string picture;  ///< an SVG of the result; empty: none
   std::vector<std::string> values;  ///< NAME=VALUE
   bool stats_json = false;
+  unsigned threads = 0;  ///< at most so many; 0: as many as the machine runs at once
 };
 int apply(ApplyOptions const& options);
 /// Of a rule of a plugin.

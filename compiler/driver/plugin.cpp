@@ -84,6 +84,8 @@ Result<PluginMap> read_input(Plugin const& plugin, jrule_rule const& rule, std::
 Result<void> apply_and_print(ApplyOptions const& options) {
   if (!options.picture.empty())
     return fail(Error::Kind::bad_input, "`--picture` draws what rules of a source file give, not those of a plugin");
+  if (options.threads != 0)
+    return fail(Error::Kind::bad_input, "`--threads` is for rules of a source file: those of a plugin take one");
   auto const plugin = Plugin::load(options.plugin);
   if (!plugin) return tl::unexpected(plugin.error());
   auto const number = plugin->find_rule(options.rule);

@@ -1,5 +1,6 @@
 #include "jrule/bulk.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -56,26 +57,25 @@ std::vector<Dart> without(Applications const& all, std::vector<bool> const& refu
   return kept;
 }
 
-void mark_pattern(Map const& map, std::vector<Dart> const& pattern, Workspace& workspace) {
+void mark_pattern(Map const& map, std::vector<Dart> const& pattern, Workspace& workspace, Threads threads) {
   workspace.reserve(map.dart_limit());
   if (is_identity(map, pattern)) return;
   workspace.clear_marks();
-  for (std::size_t k = 0; k < pattern.size(); ++k) workspace.mark(pattern[k], static_cast<Index>(k));
+  parallel::for_each(pattern.size(), threads, [&](std::size_t k) { workspace.mark(pattern[k], static_cast<Index>(k)); });
 }
 
-Column bulk_column(Map const& map, std::vector<Dart> const& pattern, Word const& word, Workspace const& workspace) {
-  if (word.empty()) {
-    Column identity(pattern.size());
-    std::iota(identity.begin(), identity.end(), Index{0});
-    return identity;
-  }
-  if (!is_identity(map, pattern)) return column(map, pattern, word, workspace);
-  std::span<Dart const> const first = arcs(map, word.front());
-  Column result(first.begin(), first.end());
-  for (std::size_t i = 1; i < word.size(); ++i) {
-    std::span<Dart const> const next = arcs(map, word[i]);
-    for (Index& k : result) k = next[k];
-  }
+Column bulk_column(Map const& map, std::vector<Dart> const& pattern, Word const& word, Workspace const& workspace, Threads threads) {
+  if (!word.empty() && !is_identity(map, pattern)) return column(map, pattern, word, workspace, threads);
+  Column result(pattern.size());
+  parallel::for_ranges(result.size(), threads, [&](std::size_t begin, std::size_t end) {
+    if (word.empty()) return std::iota(result.data() + begin, result.data() + end, static_cast<Index>(begin));
+    std::span<Dart const> const first = arcs(map, word.front());
+    std::copy(first.data() + begin, first.data() + end, result.data() + begin);
+    for (std::size_t i = 1; i < word.size(); ++i) {
+      std::span<Dart const> const next = arcs(map, word[i]);
+      for (std::size_t k = begin; k < end; ++k) result[k] = next[result[k]];
+    }
+  });
   return result;
 }
 

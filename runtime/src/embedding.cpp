@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cassert>
 #include <concepts>
 #include <stdexcept>
@@ -135,12 +136,14 @@ Value Embedding::value(Handle h) const noexcept {
       pool_);
 }
 
-void Embedding::compact(std::vector<Handle>& scratch) {
+void Embedding::compact(std::vector<Handle>& scratch, Threads threads) {
   scratch.clear();  // a larger buffer then copies nothing
   scratch.resize(value_count(), no_handle);
-  for (Handle const h : handles_) {
-    if (h != no_handle) scratch[h] = 0;
-  }
+  parallel::for_each(handles_.size(), threads, [&](std::size_t d) {
+    Handle const h = handles_[d];
+    // Atomic, for several threads may write the same.
+    if (h != no_handle) std::atomic_ref(scratch[h]).store(0, std::memory_order_relaxed);
+  });
   Handle kept = 0;
   for (Handle& number : scratch) {
     if (number != no_handle) number = kept++;
@@ -153,9 +156,10 @@ void Embedding::compact(std::vector<Handle>& scratch) {
   } else {
     std::visit([&](auto& pool) { keep_numbered(pool, std::span<Handle const>(scratch)); }, pool_);
   }
-  for (Handle& h : handles_) {
+  parallel::for_each(handles_.size(), threads, [&](std::size_t d) {
+    Handle& h = handles_[d];
     if (h != no_handle) h = scratch[h];
-  }
+  });
 }
 
 void Embedding::compact() {

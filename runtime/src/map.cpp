@@ -44,16 +44,16 @@ std::vector<Dart> Map::darts() const {
   return live;
 }
 
-std::size_t Map::reserve_darts(std::size_t count) {
+std::size_t Map::reserve_darts(std::size_t count, Threads threads) {
   if (count > most_darts - limit_) throw std::length_error("a map has at most 2^32 - 2 darts");
   std::size_t const limit = limit_ + count;
   std::size_t capacity = columns_[0].targets.capacity();
   if (limit > capacity) capacity = std::max(limit, 2 * capacity);
   for (std::size_t k = 0; k < columns_.size(); ++k) {
-    columns_[k].targets.reserve(capacity);
-    if (model_.is_oriented(model_.dimensions[k])) columns_[k].sources.reserve(capacity);
+    reserve(columns_[k].targets, capacity, threads);
+    if (model_.is_oriented(model_.dimensions[k])) reserve(columns_[k].sources, capacity, threads);
   }
-  for (Embedding& e : embeddings_) e.reserve(capacity);
+  for (Embedding& e : embeddings_) e.reserve(capacity, threads);
   return limit;
 }
 
@@ -66,7 +66,7 @@ std::vector<Dart> Map::add_darts(std::size_t count) {
 
 void Map::add_darts(std::span<Dart> added) {
   std::size_t const reused = std::min(added.size(), free_.size());
-  std::size_t const limit = reserve_darts(added.size() - reused);  // everything that may fail
+  std::size_t const limit = reserve_darts(added.size() - reused, {});  // everything that may fail
 
   for (std::size_t k = 0; k < reused; ++k) {
     added[k] = free_.front();
@@ -87,8 +87,8 @@ void Map::add_darts(std::span<Dart> added) {
   limit_ = static_cast<Dart>(limit);
 }
 
-Dart Map::append_darts(std::size_t count) {
-  std::size_t const limit = reserve_darts(count);
+Dart Map::append_darts(std::size_t count, Threads threads) {
+  std::size_t const limit = reserve_darts(count, threads);
   for (std::size_t k = 0; k < columns_.size(); ++k) {
     columns_[k].targets.resize(limit);
     if (model_.is_oriented(model_.dimensions[k])) columns_[k].sources.resize(limit);

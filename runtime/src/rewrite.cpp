@@ -94,9 +94,9 @@ std::vector<Dart> close_pattern(Map const& map, Dart hook, std::span<Word const>
   return workspace.pattern();
 }
 
-Column column(Map const& map, std::vector<Dart> const& pattern, Word const& word, Workspace const& workspace) {
+Column column(Map const& map, std::vector<Dart> const& pattern, Word const& word, Workspace const& workspace, Threads threads) {
   Column result(pattern.size());
-  for (std::size_t k = 0; k < pattern.size(); ++k) result[k] = workspace.value(map.walk(pattern[k], word));
+  parallel::for_each(pattern.size(), threads, [&](std::size_t k) { result[k] = workspace.value(map.walk(pattern[k], word)); });
   return result;
 }
 
@@ -190,12 +190,12 @@ void merge_orbit(Map& map, std::size_t embedding, Dart d, Workspace& workspace) 
   for (Dart const member : members) e.set_handle(member, value);
 }
 
-void drop_unused_values(Map& map, Workspace& workspace) noexcept {
+void drop_unused_values(Map& map, Workspace& workspace, Threads threads) noexcept {
   for (std::size_t e = 0; e < map.embedding_count(); ++e) {
     Embedding& embedding = map.embedding(e);
     if (!embedding.is_compaction_due()) continue;
     try {
-      embedding.compact(workspace.handles());
+      embedding.compact(workspace.handles(), threads);
     } catch (std::bad_alloc const&) {
       // It stays due: the next application tries again.
     }

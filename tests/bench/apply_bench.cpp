@@ -74,7 +74,7 @@ void quad_subdivision_interpreted(benchmark::State& state) { interpret(state, qu
 BENCHMARK(quad_subdivision_interpreted)->Arg(112)->Unit(benchmark::kMillisecond);
 
 /// A rule at each orbit of its hook, of a torus of n² quads, in turn or all at once.
-void interpret_everywhere(benchmark::State& state, ir::RuleScheme const& rule, decltype(interpreter::apply_all)* everywhere) {
+void interpret_everywhere(benchmark::State& state, ir::RuleScheme const& rule, decltype(interpreter::apply_everywhere)* everywhere) {
   analysis::Plan const plan = analysis::analyze(rule).plan;
   if (!analysis::analyze_independence(rule, plan).independent()) return state.SkipWithError("the rule is not proved independent");
   Map const original = torus(rule, static_cast<std::uint32_t>(state.range(0)));
@@ -89,13 +89,21 @@ void interpret_everywhere(benchmark::State& state, ir::RuleScheme const& rule, d
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(original.dart_count()));
 }
 
-void quad_subdivision_at_once(benchmark::State& state) { interpret_everywhere(state, quad_subdivision(), interpreter::apply_all); }
+template <unsigned threads>
+Result<std::size_t> at_once(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map, std::vector<Value> const& arguments,
+                            rewrite::Workspace& workspace) {
+  return interpreter::apply_all(rule, plan, map, arguments, workspace, {threads});
+}
+
+void quad_subdivision_at_once(benchmark::State& state) { interpret_everywhere(state, quad_subdivision(), at_once<1>); }
+void quad_subdivision_two_threads(benchmark::State& state) { interpret_everywhere(state, quad_subdivision(), at_once<2>); }
 BENCHMARK(quad_subdivision_at_once)->Arg(112)->Unit(benchmark::kMillisecond);
+BENCHMARK(quad_subdivision_two_threads)->Arg(112)->Unit(benchmark::kMillisecond);
 
 ir::RuleScheme triangulate() { return first_rule(JRULE_SOURCE_DIR "/tests/bench/data/triangulate.jrule"); }
 void triangulate_in_turn(benchmark::State& state) { interpret_everywhere(state, triangulate(), interpreter::apply_everywhere); }
 BENCHMARK(triangulate_in_turn)->Arg(112)->Unit(benchmark::kMillisecond);
-void triangulate_at_once(benchmark::State& state) { interpret_everywhere(state, triangulate(), interpreter::apply_all); }
+void triangulate_at_once(benchmark::State& state) { interpret_everywhere(state, triangulate(), at_once<1>); }
 BENCHMARK(triangulate_at_once)->Arg(112)->Unit(benchmark::kMillisecond);
 
 // Nested comprehensions at every vertex: the rate must not fall as the surface grows.

@@ -59,8 +59,8 @@ std::optional<std::string> difference_everywhere(AcceptedRule const& rule, Gener
   Map expected = start, map = start;
   rewrite::Workspace workspace;
   bool const at_once = analysis::analyze_independence(rule.scheme, rule.plan).independent();
-  auto const apply = at_once ? interpreter::apply_all : interpreter::apply_everywhere;
-  auto const expected_result = apply(rule.scheme, rule.plan, expected, {}, workspace);
+  auto const expected_result = at_once ? interpreter::apply_all(rule.scheme, rule.plan, expected, {}, workspace)
+                                       : interpreter::apply_everywhere(rule.scheme, rule.plan, expected, {}, workspace);
   auto const result = generated.everywhere(map);
   auto const told = [](auto const& applied) { return applied ? std::string("yes") : to_string(applied.error()); };
   if (told(result) != told(expected_result))

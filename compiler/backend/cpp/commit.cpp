@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "compiler/backend/cpp/sections.h"
@@ -72,7 +73,7 @@ void write_additions(Writer& out, Function const& f) {
   std::string const count = times(f.plan.added.size(), f);
   std::string first;
   if (f.form == Form::dense) {
-    first = fmt::format("{}.append_darts({})", f.map, count);
+    first = fmt::format("{}.append_darts({}, {})", f.map, count, f.threads);
   } else if (f.merges_on_trial()) {
     first = fmt::format("{}.add_darts({}).data()", f.local("trial"), count);
   } else {
@@ -87,6 +88,7 @@ void write_additions(Writer& out, Function const& f) {
   }
 }
 
+// On one thread: the indices are given back one after the other.
 void write_deletions(Writer& out, Function const& f) {
   for (ir::NodeId const id : f.plan.deleted) {
     out.line("// {}: {} is deleted", place(f.sources, f.node(id).span()), f.node(id).name);
@@ -121,22 +123,79 @@ void write_aliases_again(Writer& out, Function const& f) {
   }
 }
 
-void write_arcs(Writer& out, Function const& f) {
+// A loop that writes columns of the map: what each index writes, no other one writes too.
+struct Stream {
+  std::string comment;
+  std::vector<std::string> statements;
+  // Columns of the map that it reads, and those that it writes elsewhere than at its index, where others read.
+  std::vector<std::string> reads{}, scatters{};
+};
+
+// Streams that follow each other on one thread, a part of the indices at a time, where none writes what another one reads at other
+// indices.
+bool go_together(Stream const& a, Stream const& b) {
+  auto const meet = [](std::vector<std::string> const& scattered, std::vector<std::string> const& read) {
+    return std::find_first_of(scattered.begin(), scattered.end(), read.begin(), read.end()) != scattered.end();
+  };
+  return !meet(a.scatters, b.reads) && !meet(b.scatters, a.reads);
+}
+
+void write_stream(Writer& out, Function const& f, Stream const& stream) {
+  if (!stream.comment.empty()) out.line("// {}", stream.comment);
+  if (stream.statements.size() == 1) return out.line("{} {}", f.stream(), stream.statements[0]);
+  out.open("{} {{", f.stream());
+  for (std::string const& statement : stream.statements) out.text(statement);
+  out.close();
+}
+
+void write_streams(Writer& out, Function const& f, std::vector<Stream> const& streams) {
+  if (!f.takes_threads()) {
+    for (Stream const& stream : streams) write_stream(out, f, stream);
+    return;
+  }
+  for (auto next = streams.begin(); next != streams.end();) {
+    auto const first = next;
+    out.open("jrule::parallel::for_ranges({}, {}, [&](std::size_t {}, std::size_t {}) {{", f.size, f.threads, f.local("begin"), f.local("end"));
+    do {
+      write_stream(out, f, *next++);
+    } while (next != streams.end() && std::all_of(first, next, [&](Stream const& before) { return go_together(before, *next); }));
+    out.close("});");
+  }
+}
+
+// The map's own column that the word's is, if it is.
+std::vector<std::string> read_columns(Function const& f, Word const& word) {
+  if (!f.is_aliased(word)) return {};
+  Letter const letter = word.front();
+  auto const d = static_cast<std::size_t>(letter.dimension);
+  return {letter.conjugate && f.rule.model().is_oriented(letter.dimension) ? f.arc_sources[d] : f.arcs[d]};
+}
+
+std::string arc_comment(Function const& f, ir::Arc const& arc) {
+  return fmt::format("{}: {}", place(f.sources, arc.span), arc_text(f.rule, arc.source, arc.dimension, arc.word, arc.target));
+}
+
+Stream arc_stream(Function const& f, ir::Arc const& arc) {
+  auto const d = static_cast<std::size_t>(arc.dimension);
+  Stream stream{arc_comment(f, arc), {}, read_columns(f, arc.word)};
+  if (!f.rule.model().is_oriented(arc.dimension)) {
+    stream.statements = {fmt::format("{}[{}] = {};", f.arcs[d], f.place(arc.source), f.written(arc.target, arc.word))};
+  } else {
+    stream.statements = {
+        fmt::format("std::size_t const {} = {}, {} = {};", f.local("at"), f.place(arc.source), f.local("to"), f.place(arc.target, arc.word)),
+        fmt::format("{}[{}] = static_cast<jrule::Dart>({});", f.arcs[d], f.local("at"), f.local("to")),
+        fmt::format("{}[{}] = static_cast<jrule::Dart>({});", f.arc_sources[d], f.local("to"), f.local("at"))};
+  }
+  if (f.form == Form::dense && f.rule.model().is_oriented(arc.dimension) && !f.node(arc.target).added() && !arc.word.empty()) {
+    stream.scatters = {f.arc_sources[d]};
+  }
+  return stream;
+}
+
+void write_arcs_on_trial(Writer& out, Function const& f) {
   for (ir::Arc const* arc : f.writes) {
-    out.line("// {}: {}", place(f.sources, arc->span), arc_text(f.rule, arc->source, arc->dimension, arc->word, arc->target));
-    auto const d = static_cast<std::size_t>(arc->dimension);
-    if (f.merges_on_trial()) {
-      out.line("{} {}.set_target({}, {}, {});", f.loop(), f.local("trial"), f.dart(arc->source), arc->dimension,
-               f.dart(arc->target, arc->word));
-    } else if (!f.rule.model().is_oriented(arc->dimension)) {
-      out.line("{} {}[{}] = {};", f.stream(), f.arcs[d], f.place(arc->source), f.written(arc->target, arc->word));
-    } else {
-      out.open("{} {{", f.stream());
-      out.line("std::size_t const {} = {}, {} = {};", f.local("at"), f.place(arc->source), f.local("to"), f.place(arc->target, arc->word));
-      out.line("{}[{}] = static_cast<jrule::Dart>({});", f.arcs[d], f.local("at"), f.local("to"));
-      out.line("{}[{}] = static_cast<jrule::Dart>({});", f.arc_sources[d], f.local("to"), f.local("at"));
-      out.close();
-    }
+    out.line("// {}", arc_comment(f, *arc));
+    out.line("{} {}.set_target({}, {}, {});", f.loop(), f.local("trial"), f.dart(arc->source), arc->dimension, f.dart(arc->target, arc->word));
   }
 }
 
@@ -146,41 +205,51 @@ std::string if_first(Function const& f, analysis::OrbitComponent const& componen
   return first.empty() ? "" : fmt::format("if ({0}[{1}] == {1}) ", first, f.index);
 }
 
-// The handles of one component's darts.
-void write_handles(Writer& out, Function const& f, std::size_t c) {
+// The handles of a component's darts that need no walk.
+std::vector<Stream> handle_streams(Function const& f, std::size_t c) {
   auto const& component = f.plan.orbits[c];
-  std::string const handle =
-      component.kind == Kind::fresh && !component.clause ? f.handles[c] : fmt::format("{}[{}]", f.handles[c], f.index);
+  std::string const& handles = f.dart_handles[component.embedding];
+  std::vector<Stream> streams;
   if (component.kind == Kind::inherit) {
     for (std::size_t i = 0; i < component.sources.size(); ++i) {
       auto const& source = component.sources[i];
       // Matched darts still have their handles; where a walk led from them, it led before the arcs changed.
-      std::string const value = source.tail.empty()
-                                    ? fmt::format("{}[{}]", f.dart_handles[component.embedding], f.place(source.preserved, source.word))
-                                    : fmt::format("{}[{}]", f.inherited[c][i], f.index);
-      out.line("{} {}[{}] = {};", f.stream(), f.dart_handles[component.embedding], f.place(source.added), value);
+      bool const is_known = !source.tail.empty();
+      std::string const value = is_known ? fmt::format("{}[{}]", f.inherited[c][i], f.index)
+                                         : fmt::format("{}[{}]", handles, f.place(source.preserved, source.word));
+      Stream stream{"", {fmt::format("{}[{}] = {};", handles, f.place(source.added), value)}};
+      if (!is_known) {
+        stream.reads = read_columns(f, source.word);
+        stream.reads.push_back(handles);
+      }
+      streams.push_back(std::move(stream));
     }
-  } else if (is_walked(f, component)) {
-    std::string const value = component.kind == Kind::assign ? handle + ", " : "";
-    out.open("{} {{", f.loop());
-    out.line("{}jrule::rewrite::{}_orbit({}, {}, {}, {}{});", if_first(f, component),
-             component.kind == Kind::assign ? "assign" : "merge", f.map, component.embedding, f.dart(component.members.front().node), value,
-             f.workspace);
-    out.close();
-  } else {
-    std::size_t overwritten = 0;
-    for (auto const& member : component.members) {
-      if (!f.node(member.node).added()) ++overwritten;
-      out.line("{} {}[{}] = {};", f.stream(), f.dart_handles[component.embedding], f.place(member.node, member.path), handle);
-    }
-    if (overwritten != 0) out.line("{}.count_overwritten({});", f.embeddings[component.embedding], times(overwritten, f));
+    return streams;
   }
+  std::string const handle =
+      component.kind == Kind::fresh && !component.clause ? f.handles[c] : fmt::format("{}[{}]", f.handles[c], f.index);
+  for (auto const& member : component.members) {
+    Stream stream{"", {fmt::format("{}[{}] = {};", handles, f.place(member.node, member.path), handle)}, read_columns(f, member.path)};
+    if (!f.node(member.node).added()) stream.scatters = {handles};
+    streams.push_back(std::move(stream));
+  }
+  return streams;
+}
+
+// Those of a component whose orbits are walked.
+void write_walk(Writer& out, Function const& f, std::size_t c) {
+  auto const& component = f.plan.orbits[c];
+  bool const assigns = component.kind == Kind::assign;
+  out.open("{} {{", f.loop());
+  out.line("{}jrule::rewrite::{}_orbit({}, {}, {}, {}{});", if_first(f, component), assigns ? "assign" : "merge", f.map, component.embedding,
+           f.dart(component.members.front().node), assigns ? fmt::format("{}[{}], ", f.handles[c], f.index) : "", f.workspace);
+  out.close();
 }
 
 // What merged orbits get, where functions say it.
 void write_trial(Writer& out, Function const& f) {
   std::string const& trial = f.local("trial");
-  write_arcs(out, f);
+  write_arcs_on_trial(out, f);
   for (std::size_t e = 0; e < f.embeddings.size(); ++e) {
     if (!f.merges_on_trial(e)) continue;
     out.line("// {}", f.spec(e).name);
@@ -196,12 +265,36 @@ void write_trial(Writer& out, Function const& f) {
   out.line("{}.keep();", trial);
 }
 
-// Orbits whose darts are known are written in columns; others are walked when all arcs are there.
-void write_embeddings(Writer& out, Function const& f, bool walked) {
+// Orbits whose darts are known: they are written in columns.
+std::vector<Stream> known_handles(Function const& f) {
+  std::vector<Stream> streams;
+  std::optional<std::size_t> last;
+  for (std::size_t c = 0; c < f.plan.orbits.size(); ++c) {
+    auto const& component = f.plan.orbits[c];
+    if (is_walked(f, component)) continue;
+    std::vector<Stream> further = handle_streams(f, c);
+    if (last != component.embedding && !further.empty()) further.front().comment = f.spec(component.embedding).name;
+    last = component.embedding;
+    streams.insert(streams.end(), std::make_move_iterator(further.begin()), std::make_move_iterator(further.end()));
+  }
+  return streams;
+}
+
+void write_overwritten(Writer& out, Function const& f) {
+  for (auto const& component : f.plan.orbits) {
+    if (component.kind == Kind::inherit || is_walked(f, component)) continue;
+    auto const overwritten = static_cast<std::size_t>(std::count_if(component.members.begin(), component.members.end(),
+                                                                    [&](auto const& member) { return !f.node(member.node).added(); }));
+    if (overwritten != 0) out.line("{}.count_overwritten({});", f.embeddings[component.embedding], times(overwritten, f));
+  }
+}
+
+// The others are walked when all arcs are there; one after the other, for two may be parts of one orbit.
+void write_walks(Writer& out, Function const& f) {
   std::optional<std::pair<std::size_t, Kind>> group;
   for (std::size_t c = 0; c < f.plan.orbits.size(); ++c) {
     auto const& component = f.plan.orbits[c];
-    if (walked != is_walked(f, component)) continue;
+    if (!is_walked(f, component)) continue;
     bool const new_embedding = !group || group->first != component.embedding;
     bool const new_group = group != std::pair(component.embedding, component.kind);
     group = std::pair(component.embedding, component.kind);
@@ -211,14 +304,14 @@ void write_embeddings(Writer& out, Function const& f, bool walked) {
       continue;
     }
     // The marks remember which orbits have their value: two components may meet beyond the pattern.
-    if (new_group && walked) out.line("{}.clear_marks();", f.workspace);
-    write_handles(out, f, c);
+    if (new_group) out.line("{}.clear_marks();", f.workspace);
+    write_walk(out, f, c);
   }
 }
 
 // Darts that no handle is written to: their embedding is walked.
-void write_missing_handles(Writer& out, Function const& f) {
-  if (f.form != Form::dense || f.plan.added.empty()) return;
+std::vector<Stream> missing_handles(Function const& f) {
+  std::vector<Stream> streams;
   for (std::size_t e = 0; e < f.embeddings.size(); ++e) {
     std::vector<ir::NodeId> missing = f.plan.added;
     for (auto const& component : f.plan.orbits) {
@@ -232,9 +325,27 @@ void write_missing_handles(Writer& out, Function const& f) {
       });
     }
     for (ir::NodeId const id : missing) {
-      out.line("{} {}.embedding({}).handles_of_darts()[{}] = jrule::no_handle;", f.loop(), f.map, e, f.dart(id));
+      streams.push_back({"", {fmt::format("{}.embedding({}).handles_of_darts()[{}] = jrule::no_handle;", f.map, e, f.place(id))}});
     }
   }
+  return streams;
+}
+
+// Arcs and handles that are written in columns.
+std::vector<Stream> streams(Function const& f) {
+  std::vector<Stream> arcs, handles = known_handles(f);
+  if (!f.merges_on_trial()) {
+    for (ir::Arc const* arc : f.writes) arcs.push_back(arc_stream(f, *arc));
+  }
+  if (f.form != Form::dense) {
+    arcs.insert(arcs.end(), handles.begin(), handles.end());
+    return arcs;
+  }
+  // Before the arcs: columns that are the map's own are still what they were.
+  std::vector<Stream> all = missing_handles(f);
+  all.insert(all.end(), handles.begin(), handles.end());
+  all.insert(all.end(), arcs.begin(), arcs.end());
+  return all;
 }
 
 }  // namespace
@@ -280,24 +391,18 @@ void write_commit(Writer& out, Function const& f) {
   for (std::size_t e = 0; e < f.embeddings.size(); ++e) {
     if (f.adds_values[e]) out.line("{}.keep();", f.new_values[e]);
   }
-  if (f.form == Form::dense) {
-    // Before the arcs: columns that are the map's own are still what they were.
-    write_missing_handles(out, f);
-    write_embeddings(out, f, false);
-    write_arcs(out, f);
-    write_deletions(out, f);
-  } else {
-    write_deletions(out, f);
-    if (!f.merges_on_trial()) write_arcs(out, f);
-    write_embeddings(out, f, false);
-  }
-  write_embeddings(out, f, true);
+  // Where darts are erased, columns that are the map's own are read before.
+  if (f.form != Form::dense) write_deletions(out, f);
+  write_streams(out, f, streams(f));
+  if (f.form == Form::dense) write_deletions(out, f);
+  write_overwritten(out, f);
+  write_walks(out, f);
   out.close("};");
   out.line("{}();", f.local("commit"));
   // Darts that are added had no values, so without a hook there is nothing to drop.
   bool const drops = !f.plan.deleted.empty() || overwrites_values(f);
   if (drops && !f.rule.hooks.empty() && !f.embeddings.empty()) {
-    out.line("jrule::rewrite::drop_unused_values({}, {});", f.map, f.workspace);
+    out.line("jrule::rewrite::drop_unused_values({}, {}{});", f.map, f.workspace, f.takes_threads() ? ", " + f.threads : "");
   }
 }
 

@@ -57,7 +57,7 @@ std::string default_of(ir::Parameter const& parameter) {
   return parameter.default_value ? literal(*parameter.default_value) : constant_expression(*parameter.computed_default);
 }
 
-// "Surface& surface, jrule::Dart a, jrule::Point3 apex".
+// "Surface& surface, jrule::Dart a, jrule::Point3 apex"; where all orbits are rewritten at once, ", jrule::Threads threads".
 std::string parameter_list(Function const& f, bool hooks, Defaults defaults, bool mark_unused) {
   std::vector<std::string> list{fmt::format("{}& {}", f.names.modeler, f.modeler)};
   if (hooks) {
@@ -73,6 +73,7 @@ std::string parameter_list(Function const& f, bool hooks, Defaults defaults, boo
     if (mark_unused && !f.uses_parameter[p]) text.insert(0, "[[maybe_unused]] ");
     list.push_back(std::move(text));
   }
+  if (!hooks && f.independent) list.push_back(fmt::format("jrule::Threads {}{}", f.threads, defaults == Defaults::with ? " = {}" : ""));
   return fmt::format("{}", fmt::join(list, ", "));
 }
 
@@ -99,6 +100,7 @@ void document(Writer& out, Function const& f, bool hooks) {
     if (parameter.computed_default) by_default = ", by default " + constant_expression(*parameter.computed_default);
     out.line("/// @param {}  {}{}{}{}", f.parameters[p], to_string(parameter.value_type()), unit, by_default, remark(parameter.doc));
   }
+  if (!hooks && f.independent) out.line("/// @param {}  how many threads it may take; the result is the same for any number", f.threads);
   if (ir::find_extern_use(f.rule)) {
     out.text(hooks ? "/// @throws what C++ from outside throws, and then nothing has changed; running out of memory is returned"
                    : f.independent ? "/// @throws what C++ from outside throws, and then nothing has changed"
@@ -170,6 +172,7 @@ std::vector<std::pair<std::string, std::string>> listed_parameters(Function cons
     list.emplace_back(fmt::format("std::vector<{}> const&", stored_type(f.rule.lets[l].value->type)), f.let_lists[l]);
   }
   for (std::size_t p = 0; p < f.parameters.size(); ++p) list.emplace_back(parameter_type(f.rule.parameters[p].value_type()), f.parameters[p]);
+  list.emplace_back("jrule::Threads", f.threads);
   return list;
 }
 
@@ -209,7 +212,8 @@ void call_listed(Writer& out, Function const& f, Listed const& listed, std::stri
     bool const is_hook = name == f.darts[f.rule.hooks[0]];
     bool const is_column = std::any_of(f.columns.begin(), f.columns.end(), [&, &n = name](auto const& c) { return c.second == n; });
     bool const is_number = all && name == f.local("number");
-    arguments.push_back(is_number                          ? f.local("all") + ".number.data()"
+    arguments.push_back(name == f.threads && !all            ? "jrule::Threads{}"
+                        : is_number                          ? f.local("all") + ".number.data()"
                         : is_hook || (all && is_column) ? name + ".data()"
                                                           : name);
   }
@@ -280,6 +284,7 @@ void define_dense(Writer& out, Function const& rule) {
   for (std::size_t p = 0; p < f.parameters.size(); ++p) {
     parameters.push_back(fmt::format("{}{} {}", f.uses_parameter[p] ? "" : "[[maybe_unused]] ", parameter_type(f.rule.parameters[p].value_type()), f.parameters[p]));
   }
+  parameters.push_back("[[maybe_unused]] jrule::Threads " + f.threads);
   open_call(out, fmt::format("static bool {}", f.local("dense")), parameters, " {", true);
   write_body(out, f, false, [&](Writer& body) {
     Writer rest(body.depth());
@@ -297,7 +302,7 @@ void define_dense(Writer& out, Function const& rule) {
                                             word.front().conjugate ? "sources" : "targets", word.front().dimension)});
       } else {
         locals.push_back({name, fmt::format("jrule::rewrite::Index* const {} = {}.column({});", name, f.workspace, f.size)});
-        locals.push_back({name, fmt::format("{} {}[{}] = {};", f.loop(), name, f.index, f.walk(f.index, word))});
+        locals.push_back({name, f.each(fmt::format("{}[{}] = {};", name, f.index, f.walk(f.index, word)))});
       }
     }
     body.line("{}.begin();", f.workspace);
@@ -311,7 +316,9 @@ void define_at_once(Writer& out, Function const& f, Listed const& listed) {
   out.open("{} try {{", signature(f, false, Defaults::without, false));
   write_body(out, f, true, [&](Writer& body) {
     if (f.can_be_dense()) {
-      body.line("if (!{}.has_erased_darts() && {}({})) return {{}};", f.map, f.local("dense"), fmt::join(arguments(f, {f.modeler}), ", "));
+      std::vector<std::string> at_once = arguments(f, {f.modeler});
+      at_once.push_back(f.threads);
+      body.line("if (!{}.has_erased_darts() && {}({})) return {{}};", f.map, f.local("dense"), fmt::join(at_once, ", "));
     }
     body.line("if ({}.dart_count() == 0) return {{}};", f.map);
     write_orbit_type(body, f);
@@ -325,7 +332,7 @@ void define_at_once(Writer& out, Function const& f, Listed const& listed) {
     rest.close();
     call_listed(rest, f, listed, "", true);
     rest.line("return {{}};");
-    write_all_matches(body, f, rest.all());
+    write_all_matches(body, f.in(Form::listed), rest.all());
   });
   close_function(out, f);
 }

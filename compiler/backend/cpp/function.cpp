@@ -36,11 +36,12 @@ Function::Function(Rule const& accepted, source::Sources const& files, PublicNam
   modeler = scope.take(snake_case(names.class_name));
   map = scope.take("map");
   workspace = scope.take("workspace");
+  threads = scope.take("threads");
   size = scope.take("n");
   index = scope.take("k");
   for (char const* name :
        {"at", "to", "expected", "u", "added", "matches", "twice", "commit", "orbit", "applied", "trial", "all", "refused", "number",
-        "i", "kept"})
+        "i", "kept", "begin", "end"})
     locals[name] = scope.take(name);
   locals["listed"] = scope.take("rewrite_" + names.function);
   locals["dense"] = scope.take("rewrite_all_" + names.function);
@@ -205,7 +206,17 @@ std::string Function::loop() const {
   return fmt::format("for ({0} {1} = 0; {1} < {2}; ++{1})", form == Form::dense ? "jrule::Dart" : "std::size_t", index, size);
 }
 
-std::string Function::stream() const { return fmt::format("for (std::size_t {0} = 0; {0} < {1}; ++{0})", index, size); }
+std::string Function::each(std::string const& statement) const {
+  if (!takes_threads()) return loop() + ' ' + statement;
+  std::string const dart = form == Form::dense ? "jrule::Dart" : "std::size_t";
+  return fmt::format("jrule::parallel::for_each{}({}, {}, [&]({} {}) {{ {} }});", form == Form::dense ? "<jrule::Dart>" : "", size, threads, dart,
+                     index, statement);
+}
+
+std::string Function::stream() const {
+  return fmt::format("for (std::size_t {0} = {1}; {0} < {2}; ++{0})", index, takes_threads() ? local("begin") : "0",
+                     takes_threads() ? local("end") : size);
+}
 
 bool Function::can_be_dense() const {
   return independent && plan.steps.empty() && !plan.test_injectivity && rule.lets.empty() && rule.requirements.empty() &&

@@ -42,7 +42,7 @@ struct Function {
   std::vector<std::string> hooks;  ///< in order of declaration
   std::vector<std::string> parameters;
   // Local variables.
-  std::string map, workspace, size, index;                 ///< "map", "workspace", "n", "k"
+  std::string map, workspace, threads, size, index;        ///< "map", "workspace", "threads", "n", "k"
   std::vector<std::string> darts;                          ///< by node: its copies; of an added one, if dense, the first
   std::map<std::string, std::string, std::less<>> locals;  ///< further ones, by what they hold: "expected"
   std::map<Word, std::string> columns;                     ///< of the words that are used, without ε
@@ -91,8 +91,13 @@ struct Function {
   bool merges_on_trial() const;
   /// "for (std::size_t k = 0; k < n; ++k)".
   std::string loop() const;
-  /// The same for columns that are written one after the other: if dense, the index is one that compilers make streams of.
+  /// The statement for each index, on several threads if they may be taken: what it writes, nothing else reads or writes.
+  std::string each(std::string const& statement) const;
+  /// The loop of a stream, where columns are written one after the other. Where threads may be taken it stands in a body that has a
+  /// part of the indices, from `begin` to `end`. If dense, the index is one that compilers make streams of.
   std::string stream() const;
+  /// May threads be taken? Applications at one orbit have no use for them.
+  bool takes_threads() const { return form != Form::one; }
   /// Is the word its own inverse as it stands: one letter of a dimension that is not oriented?
   bool is_involution(Word const& word) const { return word.size() == 1 && !rule.model().is_oriented(word.front().dimension); }
   /// Is the word's column the map's own?

@@ -84,22 +84,27 @@ void write_steps(Writer& out, Function const& f) {
     out.line();
     out.line("// {}: {}", place(f.sources, node.span()), node.name);
     out.line("jrule::Dart* const {} = {}.column({});", f.darts[s.node], f.workspace, f.size);
-    out.line("{} {} = {};", f.loop(), f.dart(s.node), f.walk(f.dart(s.from, s.word), {s.letter}));
+    out.text(f.each(fmt::format("{} = {};", f.dart(s.node), f.walk(f.dart(s.from, s.word), {s.letter}))));
   }
+}
+
+// "jrule::Dart const at = k, to = targets_2[at], expected = k;"
+std::string arc_of_map(Function const& f, analysis::MatchCheck const& check) {
+  std::string const& at = f.local("at");
+  return fmt::format("jrule::Dart const {0} = {1}, {2} = {4}, {3} = {5};", at, f.dart(check.source), f.local("to"), f.local("expected"),
+                     f.walk(at, {{static_cast<std::uint8_t>(check.dimension), false}}), f.dart(check.target, check.word));
 }
 
 // Tests each arc of the left side that not every map has; where it is another one, `refuse` follows.
 template <class Refuse>
 void write_checks(Writer& out, Function const& f, Refuse refuse) {
   for (auto const& check : f.plan.checks) {
-    std::string const &at = f.local("at"), &to = f.local("to"), &expected = f.local("expected");
     out.line();
     out.line("// {}: {}", place(f.sources, check.span),
              arc_text(f.rule, check.source, check.dimension, check.word, check.target));
     out.open("{} {{", f.loop());
-    out.line("jrule::Dart const {0} = {1}, {2} = {4}, {3} = {5};", at, f.dart(check.source), to,
-             expected, f.walk(at, {{static_cast<std::uint8_t>(check.dimension), false}}), f.dart(check.target, check.word));
-    out.line("if ({} != {}) {}", to, expected, refuse(check));
+    out.text(arc_of_map(f, check));
+    out.line("if ({} != {}) {}", f.local("to"), f.local("expected"), refuse(check));
     out.close();
   }
 }
@@ -132,12 +137,12 @@ void write_with_all_columns(Writer& out, Function const& f, std::string const& t
   std::string const& all = f.local("all");
   std::string const& hook = f.darts[f.rule.hooks[0]];
   out.line("{}.begin();", f.workspace);
-  out.line("jrule::rewrite::mark_pattern({}, {}.pattern, {});", f.map, all, f.workspace);
+  out.line("jrule::rewrite::mark_pattern({}, {}.pattern, {}, {});", f.map, all, f.workspace, f.threads);
   std::vector<Local> locals{{hook, fmt::format("std::span<jrule::Dart const> const {} = {}.pattern;", hook, all)},
                             {f.size, fmt::format("std::size_t const {} = {}.size();", f.size, hook)}};
   for (auto const& [word, name] : f.columns) {
-    locals.push_back({name, fmt::format("jrule::rewrite::Column const {} = jrule::rewrite::bulk_column({}, {}.pattern, jrule::Word{}, {});",
-                                        name, f.map, all, initializer(word), f.workspace)});
+    locals.push_back({name, fmt::format("jrule::rewrite::Column const {} = jrule::rewrite::bulk_column({}, {}.pattern, jrule::Word{}, {}, {});",
+                                        name, f.map, all, initializer(word), f.workspace, f.threads)});
   }
   write_with_locals(out, locals, text);
 }
@@ -181,6 +186,7 @@ void write_refusals(Writer& out, Function const& f) {
   out.open("{{");
   Writer tests(out.depth());
   write_steps(tests, f);
+  // On one thread: the flags of several applications lie in one word.
   write_checks(tests, f, [&](auto const&) { return fmt::format("{}[{}.number[{}]] = true;", refused, all, f.index); });
   if (f.plan.test_injectivity) {
     write_matches(tests, f);
@@ -204,7 +210,15 @@ void write_all_matches(Writer& out, Function const& f, std::string const& text) 
 }
 
 void write_dense_checks(Writer& out, Function const& f) {
-  write_checks(out, f, [](auto const&) { return "return false;"; });
+  for (auto const& check : f.plan.checks) {
+    out.line();
+    out.line("// {}: {}", place(f.sources, check.span),
+             arc_text(f.rule, check.source, check.dimension, check.word, check.target));
+    out.open("if (!jrule::parallel::all_of<jrule::Dart>({}, {}, [&](jrule::Dart {}) {{", f.size, f.threads, f.index);
+    out.text(arc_of_map(f, check));
+    out.line("return {} == {};", f.local("to"), f.local("expected"));
+    out.close("})) return false;");
+  }
 }
 
 void write_match(Writer& out, Function const& f) {

@@ -71,8 +71,8 @@ void write_inherited(Writer& out, Function const& f, std::size_t c) {
     auto const& source = component.sources[i];
     if (source.tail.empty()) continue;
     out.line("jrule::Handle* const {} = {}.column({});", f.inherited[c][i], f.workspace, f.size);
-    out.line("{} {}[{}] = {}.handle({});", f.loop(), f.inherited[c][i], f.index, f.embeddings[component.embedding],
-             f.walk(f.dart(source.preserved, source.word), source.tail));
+    out.text(f.each(fmt::format("{}[{}] = {}.handle({});", f.inherited[c][i], f.index, f.embeddings[component.embedding],
+                                f.walk(f.dart(source.preserved, source.word), source.tail))));
   }
 }
 

@@ -26,6 +26,7 @@ struct Application {
   Map& map;
   std::vector<Value> const& arguments;
   rewrite::Workspace& workspace;
+  Threads threads{};
 
   std::vector<Dart> pattern{};                  // of all applications
   Column number{};                              // by index in it, which application it is of; empty if there is only one
@@ -42,14 +43,16 @@ struct Application {
   std::vector<StagedOrbits> staged{};
   std::vector<std::vector<Value>> new_values{};  // by embedding
 
+  // The threads for a loop whose bodies take as long as so many steps of others: shorter loops are worth several.
+  Threads each_costs(std::size_t steps) const { return {threads.count, std::max<std::size_t>(1, threads.grain / steps)}; }
   std::string const& name(ir::NodeId id) const { return rule.nodes[id].name; }
   std::size_t size() const { return pattern.size(); }
 
   Column const& column(Word const& word) {
     auto const known = columns.find(word);
     if (known != columns.end()) return known->second;
-    if (word.empty() || !number.empty()) return columns[word] = rewrite::bulk_column(map, pattern, word, workspace);
-    return columns[word] = rewrite::column(map, pattern, word, workspace);
+    if (word.empty() || !number.empty()) return columns[word] = rewrite::bulk_column(map, pattern, word, workspace, threads);
+    return columns[word] = rewrite::column(map, pattern, word, workspace, threads);
   }
 
   void make_match_columns() {
@@ -104,7 +107,7 @@ struct Application {
       std::vector<Dart> const& from = match[step.from];
       std::vector<Dart>& to = match[step.node];
       to.resize(size());
-      for (Index k = 0; k < size(); ++k) to[k] = map.step(from[w[k]], step.letter);
+      parallel::for_each<Index>(size(), threads, [&](Index k) { to[k] = map.step(from[w[k]], step.letter); });
     }
   }
 
@@ -149,7 +152,7 @@ struct Application {
       pattern = all.pattern;
       number = all.number;
       columns.clear();
-      rewrite::mark_pattern(map, pattern, workspace);
+      rewrite::mark_pattern(map, pattern, workspace, threads);
     };
     use_pattern();
     make_match_columns();
@@ -170,7 +173,7 @@ struct Application {
       all = rewrite::without(all, refused);
       use_pattern();
     } else {
-      rewrite::mark_pattern(map, pattern, workspace);  // again: the test of injectivity marks as well
+      rewrite::mark_pattern(map, pattern, workspace, threads);  // again: the test of injectivity marks as well
     }
     make_columns();
     return all.count();
@@ -221,7 +224,10 @@ struct Application {
     if (component.kind == Kind::inherit) {
       for (auto const& source : component.sources) {
         Column const& w = column(source.word);
-        for (Index k = 0; k < size(); ++k) orbits.handle.push_back(embedding.handle(map.walk(match[source.preserved][w[k]], source.tail)));
+        std::vector<Dart> const& from = match[source.preserved];
+        std::size_t const base = orbits.handle.size();
+        orbits.handle.resize(base + size());
+        parallel::for_each(size(), threads, [&](std::size_t k) { orbits.handle[base + k] = embedding.handle(map.walk(from[w[k]], source.tail)); });
       }
     } else {
       std::vector<Index const*> generators;
@@ -238,15 +244,23 @@ struct Application {
         values.push_back(*embedding.spec().default_value);
         std::fill(orbits.handle.begin(), orbits.handle.end(), static_cast<Handle>(base + values.size() - 1));
       } else {
+        // The values in the order of the first darts of their orbits, whoever computes them.
         ir::Expr const& value = *rule.clauses[*component.clause].value;
+        std::vector<Index> firsts;
         for (Index k = 0; k < size(); ++k) {
           if (orbits.orbit[k] == k) {
-            values.push_back(evaluate_value(value, scene(number.empty() ? 0 : number[k]), k));
-            orbits.handle[k] = static_cast<Handle>(base + values.size() - 1);
+            orbits.handle[k] = static_cast<Handle>(base + values.size() + firsts.size());
+            firsts.push_back(k);
           } else {
             orbits.handle[k] = orbits.handle[orbits.orbit[k]];
           }
         }
+        std::size_t const before = values.size();
+        values.resize(before + firsts.size());
+        parallel::for_each(firsts.size(), each_costs(64), [&](std::size_t i) {
+          Index const k = firsts[i];
+          values[before + i] = evaluate_value(value, scene(number.empty() ? 0 : number[k]), k);
+        });
       }
     }
     staged.push_back(std::move(orbits));
@@ -283,7 +297,8 @@ struct Application {
     }
     for (ir::Arc const& arc : plan.writes) {
       Column const& w = columns.find(arc.word)->second;
-      for (Index k = 0; k < size(); ++k) map.set_target(copies[arc.source][k], arc.dimension, copies[arc.target][w[k]]);
+      std::vector<Dart> const &source = copies[arc.source], &target = copies[arc.target];
+      parallel::for_each(size(), threads, [&](std::size_t k) { map.set_target(source[k], arc.dimension, target[w[k]]); });
     }
     for (std::size_t e = 0; e < new_values.size(); ++e) {
       for (Value const& value : new_values[e]) map.embedding(e).add(value);
@@ -296,7 +311,7 @@ struct Application {
       group = key;
       commit_values(s, copies);
     }
-    rewrite::drop_unused_values(map, workspace);
+    rewrite::drop_unused_values(map, workspace, threads);
   }
 
   void commit_values(StagedOrbits const& s, std::vector<std::vector<Dart>> const& copies) noexcept {
@@ -378,11 +393,11 @@ Result<std::size_t> apply_everywhere(ir::RuleScheme const& rule, analysis::Plan 
 }
 
 Result<std::size_t> apply_all(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map,
-                              std::vector<Value> const& arguments, rewrite::Workspace& workspace) {
+                              std::vector<Value> const& arguments, rewrite::Workspace& workspace, Threads threads) {
   if (auto const checked = check_input(rule, map, 1, arguments.size()); !checked) return tl::unexpected(checked.error());
   return or_no_memory<std::size_t>(rule, [&]() -> Result<std::size_t> {
     if (map.dart_count() == 0) return std::size_t{0};
-    Application all{rule, plan, map, arguments, workspace};
+    Application all{rule, plan, map, arguments, workspace, threads};
     std::size_t const count = all.find_all_matches();
     if (count == 0) {
       // Why not: what the first orbit alone says.

@@ -32,8 +32,9 @@ Result<std::size_t> apply_everywhere(ir::RuleScheme const& rule, analysis::Plan 
 /// left as they are. Returns at how many it was applied; the first one's refusal if nowhere. On an error the map is bit for bit as it
 /// was. The rule must be proved independent (analysis/independence.h). The new darts of each added node are consecutive if
 /// no dart is erased, by the pattern's darts ascending; a merged orbit gets what its policy makes of all values that come
-/// together in it. O(darts of the map and of the result), apart from expressions.
+/// together in it. O(darts of the map and of the result), apart from expressions. The map is bit for bit the same for any number of
+/// threads.
 Result<std::size_t> apply_all(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map,
-                              std::vector<Value> const& arguments, rewrite::Workspace& workspace);
+                              std::vector<Value> const& arguments, rewrite::Workspace& workspace, Threads threads = {});
 
 }  // namespace jrule::interpreter

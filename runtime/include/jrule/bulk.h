@@ -30,10 +30,10 @@ Applications without(Applications const& all, std::vector<bool> const& refused);
 std::vector<Dart> without(Applications const& all, std::vector<bool> const& refused, std::span<Dart const> match);
 
 /// Makes room to mark every dart, and marks those of P with their indices if column() needs it. Throws std::bad_alloc.
-void mark_pattern(Map const& map, std::vector<Dart> const& pattern, Workspace& workspace);
+void mark_pattern(Map const& map, std::vector<Dart> const& pattern, Workspace& workspace, Threads threads = {});
 /// The column of a word under which P is closed, for an ascending P; mark_pattern() must have been called for it, and no marks
 /// changed since. O(|P| · |w|).
-Column bulk_column(Map const& map, std::vector<Dart> const& pattern, Word const& word, Workspace const& workspace);
+Column bulk_column(Map const& map, std::vector<Dart> const& pattern, Word const& word, Workspace const& workspace, Threads threads = {});
 
 /// Refuses the applications whose match columns name a dart twice. Two applications may name one dart. Forgets P's marks; there
 /// must be room for marks. O(|P| · columns).

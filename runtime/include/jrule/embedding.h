@@ -81,7 +81,7 @@ class Embedding {
   void resize(std::size_t darts) { handles_.resize(darts, no_handle); }
   /// The same, but leaves the new ones unset.
   void extend(std::size_t darts) { handles_.resize(darts); }
-  void reserve(std::size_t darts) { handles_.reserve(darts); }
+  void reserve(std::size_t darts, Threads threads) { jrule::reserve(handles_, darts, threads); }
 
   std::size_t value_count() const noexcept;
   /// Adds a value of the embedding's type; strong guarantee; noexcept once reserved. Type::Extern has no jrule::Value: see
@@ -102,7 +102,7 @@ class Embedding {
   ColumnOf<T>& values() { return values_of<T>(*this); }
   /// Drops the values that no dart refers to and renumbers the rest, which keep their order. O(darts + values), in place
   /// but for a handle for each value in `scratch`: throws only std::bad_alloc for that, and then nothing has changed.
-  void compact(std::vector<Handle>& scratch);
+  void compact(std::vector<Handle>& scratch, Threads threads = {});
   void compact();
   /// Have as many handles been overwritten and values been added since the last compact() as there are dart indices?
   /// Called when due, compact() costs O(1) for each of these changes, however few values there are, and the pool never

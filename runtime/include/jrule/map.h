@@ -14,6 +14,7 @@
 #include "jrule/embedding.h"
 #include "jrule/memory.h"
 #include "jrule/model.h"
+#include "jrule/parallel.h"
 #include "jrule/result.h"
 #include "jrule/word.h"
 
@@ -69,7 +70,7 @@ class Map {
   void add_darts(std::span<Dart> added);
   /// Appends `count` darts, the first of which it returns, without setting their arcs and handles: the caller sets every one.
   /// Strong guarantee; throws as add_darts().
-  Dart append_darts(std::size_t count);
+  Dart append_darts(std::size_t count, Threads threads = {});
   bool has_erased_darts() const noexcept { return !free_.empty(); }
   /// Undoes the last add_darts(): `added` is what it returned, `limit` what dart_limit() was before. Nothing may refer to
   /// the darts any more.
@@ -104,7 +105,7 @@ class Map {
 
  private:
   // Room for `count` darts more; what dart_limit() will be.
-  std::size_t reserve_darts(std::size_t count);
+  std::size_t reserve_darts(std::size_t count, Threads threads);
 
   struct Column {
     ColumnOf<Dart> targets;  // no_dart for erased darts
@@ -124,8 +125,8 @@ class Map {
 std::vector<Dart> orbit(Map const& map, OrbitType const& type, Dart d);
 /// The orbit of each dart, numbered by smallest dart; `no_orbit` for erased darts. O(darts · words).
 struct OrbitNumbers {
-  std::vector<std::uint32_t> number;  ///< by dart index
-  std::vector<Dart> first;            ///< the smallest dart of each orbit
+  ColumnOf<std::uint32_t> number;  ///< by dart index
+  std::vector<Dart> first;         ///< the smallest dart of each orbit
 };
 inline constexpr std::uint32_t no_orbit = 0xffffffffU;
 OrbitNumbers number_orbits(Map const& map, OrbitType const& type);

@@ -1,11 +1,14 @@
 // The memory of columns: one number for each dart, in large arrays that are written as streams.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#include "jrule/parallel.h"
 
 namespace jrule {
 
@@ -54,6 +57,19 @@ T* ColumnAllocator<T>::allocate(std::size_t count) {
 template <class T>
 void ColumnAllocator<T>::deallocate(T* memory, std::size_t count) noexcept {
   memory::deallocate(memory, count * sizeof(T), alignof(T));
+}
+
+/// As column.reserve(capacity), strong guarantee too: what moves is copied by several threads, and so is the new memory first touched.
+template <class T>
+void reserve(ColumnOf<T>& column, std::size_t capacity, Threads threads) {
+  if (capacity <= column.capacity()) return;
+  ColumnOf<T> grown;
+  grown.reserve(capacity);
+  grown.resize(column.size());
+  parallel::for_ranges(column.size(), threads, [&](std::size_t begin, std::size_t end) {
+    std::copy(column.data() + begin, column.data() + end, grown.data() + begin);
+  });
+  column.swap(grown);
 }
 
 }  // namespace jrule

@@ -18,7 +18,7 @@
 namespace jrule::rewrite {
 
 using Index = std::uint32_t;
-using Column = std::vector<Index>;
+using Column = ColumnOf<Index>;
 
 /// Scratch memory, reused between applications so that none allocates after warm-up. One application at a time.
 class Workspace {
@@ -94,7 +94,7 @@ class Workspace {
 std::vector<Dart> close_pattern(Map const& map, Dart hook, std::span<Word const> words, Workspace& workspace);
 
 /// The column of a word under which P is closed; P's darts must be marked with their indices. O(|P| · |w|).
-Column column(Map const& map, std::vector<Dart> const& pattern, Word const& word, Workspace const& workspace);
+Column column(Map const& map, std::vector<Dart> const& pattern, Word const& word, Workspace const& workspace, Threads threads = {});
 
 /// A loop (w, d) of a further hook: m(u·w, b) = m(u, b)·d.
 struct Loop {
@@ -142,7 +142,7 @@ std::vector<Dart> representatives(Map const& map, OrbitType const& type, OrbitTy
 /// After the commit: drops the values that no dart refers to any more from the embeddings where Embedding::is_compaction_due(),
 /// and so may renumber handles. Puts it off where memory is lacking. O(1) for each handle that was overwritten or value
 /// added since it last did something, all at once; O(embeddings) if nothing is due.
-void drop_unused_values(Map& map, Workspace& workspace) noexcept;
+void drop_unused_values(Map& map, Workspace& workspace, Threads threads = {}) noexcept;
 
 /// Gives the whole orbit of `d` a new value; strong guarantee. Not part of a rule: for programs that change values by hand.
 /// Ends with drop_unused_values().

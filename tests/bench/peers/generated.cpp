@@ -16,19 +16,19 @@ Counts count_cells(Map const& map, Row const& row) {
 
 namespace {
 
-/// One column: a modeler, and how its rules are applied. Other ways to apply a rule to the whole surface, on more
-/// threads or simultaneously, are further columns: `apply` is the one place that they differ in.
+/// One column: a modeler, and how its rules are applied: on how many threads.
 template <class Modeler>
 class Column {
  public:
-  Column(Contest& contest, std::string name) : contest_(contest), name_(std::move(name)) {}
+  Column(Contest& contest, std::string name, Threads threads)
+      : contest_(contest), name_(std::move(name)), threads_(threads) {}
 
   template <class Rule>
   void enter(Work work, Rule rule) const {
     contest_.enter(
         name_, darts_per_edge, work, [originals = originals_](Row const& row) { return fresh(originals, row); },
-        [rule](Modeler& mesh) -> Modeler& {
-          apply(mesh, rule);
+        [rule, threads = threads_](Modeler& mesh) -> Modeler& {
+          expect(rule(mesh, threads));
           return mesh;
         },
         [](Modeler const& mesh, Row const& row) { return count_cells(mesh.map(), row); });
@@ -80,43 +80,54 @@ class Column {
     return std::move(*mesh);
   }
 
-  template <class Rule>
-  static void apply(Modeler& mesh, Rule rule) {
-    expect(rule(mesh));
-  }
-
   Contest& contest_;
   std::string name_;
+  Threads threads_;
   Originals<Map> originals_;
 };
 
 }  // namespace
 
 // Functions as values that templates take: at all orbits, at one.
-#define RULE(FUNCTION) [](auto& mesh) { return FUNCTION##_everywhere(mesh); }
+#define RULE(FUNCTION) [](auto& mesh, Threads given) { return FUNCTION##_everywhere(mesh, given); }
 #define AT_ONE(FUNCTION) [](auto& mesh, Dart d) { return FUNCTION(mesh, d); }
 
+namespace {
+
+Column<mesh::Mesh> enter_gmap(Contest& contest, std::string const& name, Threads threads) {
+  Column<topology::Surface>(contest, name, threads).enter(Work::quad, RULE(topology::quad));
+  Column<mesh::Mesh> column(contest, name, threads);
+  column.enter(Work::quad_positions, RULE(surface::quad));
+  column.enter(Work::catmull_clark, RULE(subdivision::catmull_clark));
+  column.enter(Work::triangulate, RULE(surface::triangulate));
+  column.enter(Work::edge_vertices, RULE(surface::edge_vertices));
+  column.enter(Work::dual, RULE(surface::dual));
+  return column;
+}
+
+Column<mesh::HalfedgeMesh> enter_omap(Contest& contest, std::string const& name, Threads threads) {
+  Column<topology::Halfedges>(contest, name, threads).enter(Work::quad, RULE(topology::quad_halfedges));
+  Column<mesh::HalfedgeMesh> column(contest, name, threads);
+  column.enter(Work::quad_positions, RULE(surface::quad_halfedges));
+  column.enter(Work::catmull_clark, RULE(subdivision::catmull_clark_halfedges));
+  column.enter(Work::triangulate, RULE(surface::triangulate_halfedges));
+  column.enter(Work::edge_vertices, RULE(surface::edge_vertices_halfedges));
+  column.enter(Work::dual, RULE(surface::dual_halfedges));
+  return column;
+}
+
+}  // namespace
+
 void enter_generated(Contest& contest) {
-  Column<topology::Surface>(contest, ours).enter(Work::quad, RULE(topology::quad));
-  Column<mesh::Mesh> const gmap(contest, ours);
-  gmap.enter(Work::quad_positions, RULE(surface::quad));
-  gmap.enter(Work::catmull_clark, RULE(subdivision::catmull_clark));
-  gmap.enter(Work::triangulate, RULE(surface::triangulate));
-  gmap.enter(Work::edge_vertices, RULE(surface::edge_vertices));
-  gmap.enter(Work::dual, RULE(surface::dual));
+  Column<mesh::Mesh> const gmap = enter_gmap(contest, ours, {1});
   gmap.enter_check();
   gmap.enter_single_faces(AT_ONE(surface::triangulate_face));
+  enter_gmap(contest, "G, 2 threads", {2});
 
-  std::string const oriented = "O-map";
-  Column<topology::Halfedges>(contest, oriented).enter(Work::quad, RULE(topology::quad_halfedges));
-  Column<mesh::HalfedgeMesh> const omap(contest, oriented);
-  omap.enter(Work::quad_positions, RULE(surface::quad_halfedges));
-  omap.enter(Work::catmull_clark, RULE(subdivision::catmull_clark_halfedges));
-  omap.enter(Work::triangulate, RULE(surface::triangulate_halfedges));
-  omap.enter(Work::edge_vertices, RULE(surface::edge_vertices_halfedges));
-  omap.enter(Work::dual, RULE(surface::dual_halfedges));
+  Column<mesh::HalfedgeMesh> const omap = enter_omap(contest, "O-map", {1});
   omap.enter_check();
   omap.enter_single_faces(AT_ONE(surface::triangulate_face_halfedges));
+  enter_omap(contest, "O, 2 threads", {2});
 }
 
 #undef RULE
