@@ -209,7 +209,7 @@ TEST(Emit, CodeReadsFromTopToBottom) {
   expect_contains(code,
                   "new_position.add(apex + (jrule::rewrite::total(walk_0_1_by_1, match_a[k], [&](jrule::Dart at) { "
                   "return position_of[at]; }).mean() - position_of[to_0[match_a[k]]]) * all_far[number[k]]));\n");
-  expect_contains(code, "    for (std::size_t k = 0; k < n; ++k) arcs_2[match_a[k]] = added_b[k];\n");
+  expect_contains(code, "      for (std::size_t k = begin; k < end; ++k) arcs_2[match_a[k]] = added_b[k];\n");
   std::size_t const room = code.find("// ---- Room"), commit = code.find("// ---- Commit"), end = code.find("return ConeResult{"),
                     match = code.find("// ---- Match"), plan = code.find("// ---- Plan"), call = code.find("return rewrite_cone(");
   EXPECT_TRUE(room < commit && commit < end && end < match && match < plan && plan < call && call != std::string::npos);
@@ -227,22 +227,29 @@ rule quad on M {
   }
 }
 )").code;
-  expect_contains(code, "  if (!map.has_erased_darts() && rewrite_all_quad(m)) return {};\n");
+  expect_contains(code, "  if (!map.has_erased_darts() && rewrite_all_quad(m, threads)) return {};\n");
   expect_contains(code, R"cpp(
-  std::size_t const added_b = map.append_darts(std::size_t{3} * n);
+  std::size_t const added_b = map.append_darts(std::size_t{3} * n, threads);
   std::size_t const added_c = added_b + n;
 )cpp");
   std::size_t const in_place = code.find("static bool rewrite_all_quad");
   std::string const dense = code.substr(in_place, code.find("return true;", in_place) - in_place);
   expect_contains(dense, "jrule::rewrite::Index const* at_1 = map.targets(1).data();\n");
   expect_contains(dense, R"cpp(
-    // shapes.jrule:6: b -1[1]-> a
-    for (std::size_t k = 0; k < n; ++k) {
-      std::size_t const at = added_b + k, to = at_1[k];
-      arcs_1[at] = static_cast<jrule::Dart>(to);
-      sources_1[to] = static_cast<jrule::Dart>(at);
-    }
+      // shapes.jrule:6: b -1[1]-> a
+      for (std::size_t k = begin; k < end; ++k) {
+        std::size_t const at = added_b + k, to = at_1[k];
+        arcs_1[at] = static_cast<jrule::Dart>(to);
+        sources_1[to] = static_cast<jrule::Dart>(at);
+      }
 )cpp");
+  // What is counted or read in order has no loop of its own.
+  expect_contains(dense, R"cpp(
+      // shapes.jrule:6: d -1-> b
+      jrule::stream::count_up(arcs_1 + added_d, begin, end, added_b);
+      jrule::stream::count_up(sources_1 + added_b, begin, end, added_d);
+)cpp");
+  expect_contains(dense, "      jrule::stream::shift(arcs_2, at_2, begin, end, added_b);\n");
   EXPECT_LT(dense.find("c -1[~1]-> d"), dense.find("b -1[1]-> a"));
   EXPECT_LT(dense.find("b -1[1]-> a"), dense.find("a -1-> c"));
 }

@@ -126,7 +126,8 @@ void write_aliases_again(Writer& out, Function const& f) {
 // A loop that writes columns of the map: what each index writes, no other one writes too.
 struct Stream {
   std::string comment;
-  std::vector<std::string> statements;
+  std::vector<std::string> statements;  // in the loop; or each a call for all indices
+  bool are_calls = false;
   // Columns of the map that it reads, and those that it writes elsewhere than at its index, where others read.
   std::vector<std::string> reads{}, scatters{};
 };
@@ -142,6 +143,10 @@ bool go_together(Stream const& a, Stream const& b) {
 
 void write_stream(Writer& out, Function const& f, Stream const& stream) {
   if (!stream.comment.empty()) out.line("// {}", stream.comment);
+  if (stream.are_calls) {
+    for (std::string const& statement : stream.statements) out.text(statement);
+    return;
+  }
   if (stream.statements.size() == 1) return out.line("{} {}", f.stream(), stream.statements[0]);
   out.open("{} {{", f.stream());
   for (std::string const& statement : stream.statements) out.text(statement);
@@ -171,14 +176,34 @@ std::vector<std::string> read_columns(Function const& f, Word const& word) {
   return {letter.conjugate && f.rule.model().is_oriented(letter.dimension) ? f.arc_sources[d] : f.arcs[d]};
 }
 
+// "begin, end".
+std::string range(Function const& f) { return f.takes_threads() ? f.local("begin") + ", " + f.local("end") : "0, " + f.size; }
+
+// If dense: the column of a node's copies in one of the map's, "arcs_0 + added_b".
+std::string part(Function const& f, std::string const& column, ir::NodeId id) {
+  return f.node(id).added() ? fmt::format("{} + {}", column, f.darts[id]) : column;
+}
+
+// If dense: what writes the copies of `to` at the word into that column.
+std::string stream_call(Function const& f, std::string const& column, ir::NodeId to, Word const& word) {
+  std::string const first = f.node(to).added() ? f.darts[to] : "0";
+  return word.empty() ? fmt::format("jrule::stream::count_up({}, {}, {});", column, range(f), first)
+                      : fmt::format("jrule::stream::shift({}, {}, {}, {});", column, f.columns.at(word), range(f), first);
+}
+
 std::string arc_comment(Function const& f, ir::Arc const& arc) {
   return fmt::format("{}: {}", place(f.sources, arc.span), arc_text(f.rule, arc.source, arc.dimension, arc.word, arc.target));
 }
 
 Stream arc_stream(Function const& f, ir::Arc const& arc) {
   auto const d = static_cast<std::size_t>(arc.dimension);
-  Stream stream{arc_comment(f, arc), {}, read_columns(f, arc.word)};
-  if (!f.rule.model().is_oriented(arc.dimension)) {
+  Stream stream{arc_comment(f, arc), {}, false, read_columns(f, arc.word)};
+  bool const oriented = f.rule.model().is_oriented(arc.dimension);
+  if (f.form == Form::dense && (!oriented || arc.word.empty())) {
+    stream.are_calls = true;
+    stream.statements = {stream_call(f, part(f, f.arcs[d], arc.source), arc.target, arc.word)};
+    if (oriented) stream.statements.push_back(stream_call(f, part(f, f.arc_sources[d], arc.target), arc.source, {}));
+  } else if (!oriented) {
     stream.statements = {fmt::format("{}[{}] = {};", f.arcs[d], f.place(arc.source), f.written(arc.target, arc.word))};
   } else {
     stream.statements = {
@@ -218,6 +243,11 @@ std::vector<Stream> handle_streams(Function const& f, std::size_t c) {
       std::string const value = is_known ? fmt::format("{}[{}]", f.inherited[c][i], f.index)
                                          : fmt::format("{}[{}]", handles, f.place(source.preserved, source.word));
       Stream stream{"", {fmt::format("{}[{}] = {};", handles, f.place(source.added), value)}};
+      if (f.form == Form::dense && (is_known || source.word.empty())) {
+        stream.are_calls = true;
+        stream.statements = {fmt::format("jrule::stream::shift({}, {}, {}, 0);", part(f, handles, source.added),
+                                         is_known ? f.inherited[c][i] : handles, range(f))};
+      }
       if (!is_known) {
         stream.reads = read_columns(f, source.word);
         stream.reads.push_back(handles);
@@ -229,7 +259,11 @@ std::vector<Stream> handle_streams(Function const& f, std::size_t c) {
   std::string const handle =
       component.kind == Kind::fresh && !component.clause ? f.handles[c] : fmt::format("{}[{}]", f.handles[c], f.index);
   for (auto const& member : component.members) {
-    Stream stream{"", {fmt::format("{}[{}] = {};", handles, f.place(member.node, member.path), handle)}, read_columns(f, member.path)};
+    Stream stream{"", {fmt::format("{}[{}] = {};", handles, f.place(member.node, member.path), handle)}, false, read_columns(f, member.path)};
+    if (f.form == Form::dense && component.clause && member.path.empty()) {
+      stream.are_calls = true;
+      stream.statements = {fmt::format("jrule::stream::shift({}, {}, {}, 0);", part(f, handles, member.node), f.handles[c], range(f))};
+    }
     if (!f.node(member.node).added()) stream.scatters = {handles};
     streams.push_back(std::move(stream));
   }

@@ -12,6 +12,7 @@
 #include "jrule/map.h"
 #include "jrule/orbit_walk.h"
 #include "jrule/rewrite.h"
+#include "jrule/stream.h"
 
 namespace jrule::rewrite {
 
