@@ -55,8 +55,9 @@ Outcome interpret_everywhere(Module::Rule const& rule, Map map, std::vector<Valu
   rewrite::Workspace workspace;
   Outcome outcome;
   bool const at_once = analysis::analyze_independence(rule.scheme, rule.plan).independent();
-  auto const apply = at_once ? interpreter::apply_all : interpreter::apply_everywhere;
-  if (auto const count = apply(rule.scheme, rule.plan, map, arguments, workspace)) {
+  auto const count = at_once ? interpreter::apply_all(rule.scheme, rule.plan, map, arguments, workspace)
+                             : interpreter::apply_everywhere(rule.scheme, rule.plan, map, arguments, workspace);
+  if (count) {
     outcome.count = *count;
   } else {
     outcome.error = to_string(count.error());

@@ -543,6 +543,36 @@ TEST_F(Smoothing, NestedComprehensionsLetsAndChoices) {
   }
 }
 
+// Where all orbits allow it, it is done at all darts in place; where some do not, only the others change.
+TEST_F(Smoothing, RequirementsOfEachDart) {
+  auto const of = [](std::vector<char const*> const& files) {
+    Map all(Surface::model(), Surface::embeddings());
+    for (char const* file : files) {
+      Map const part = read<Surface>(file);
+      std::vector<Dart> const darts = all.add_darts(part.dart_count());
+      for (int const i : part.model().dimensions) {
+        for (Dart d = 0; d < part.dart_limit(); ++d) all.set_target(darts[d], i, darts[part.target(d, i)]);
+      }
+    }
+    jrule::test::number_values(all);
+    return all;
+  };
+  for (auto const& files : std::vector<std::vector<char const*>>{
+           {"cube.obj"}, {"cube.obj", "tetrahedron.off"}, {"grid.ply", "cube.obj"}, {"tetrahedron.off", "patch.obj", "tetrahedron.off"}, {"patch.obj"}}) {
+    SCOPED_TRACE(files.front());
+    Map const start = of(files);
+    for (double const limit : {1e9, 3.0, -1e9}) {
+      Outcome const expected = interpret_everywhere(module.rule("dual"), start, {limit});
+      EXPECT_EQ(generated_everywhere<Surface>(start, [&](Surface& s) { return smoothing::dual_everywhere(s, limit); }), expected);
+      EXPECT_TRUE(limit > 0 || !expected.error.empty());
+    }
+    EXPECT_EQ(generated_everywhere<Surface>(start, [](Surface& s) { return smoothing::split_triangles_everywhere(s); }),
+              interpret_everywhere(module.rule("split_triangles"), start, {}));
+    EXPECT_EQ(generated_everywhere<Surface>(start, [](Surface& s) { return smoothing::lift_everywhere(s); }),
+              interpret_everywhere(module.rule("lift"), start, {}));
+  }
+}
+
 TEST_F(Smoothing, OrientedMaps) {
   using smoothing::Halfedges;
   for (char const* file : {"cube.obj", "tetrahedron.off", "grid.ply"}) {

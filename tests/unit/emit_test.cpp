@@ -254,6 +254,28 @@ rule quad on M {
   EXPECT_LT(dense.find("b -1[1]-> a"), dense.find("a -1-> c"));
 }
 
+TEST(Emit, WhatIsRequiredOfEachDartIsTestedInPlace) {
+  auto const code = [](std::string const& condition) {
+    return emit_module("modeler M on gmap(2) { embedding x : <1,2> -> Real; }\nrule dual on M { left { hook a <0,1,2>; require " + condition +
+                       "; } right { a <2,1,0> { x = mean(<0,1>(a).x); } } }\n").code;
+  };
+  expect_contains(code("not any(e@2 == e for e in <0,1,2>(a)) and all(count(<0,1>(f)) == 6 for f in connected(a) by <0,1>)"), R"cpp(
+  if (!jrule::parallel::all_of<jrule::Dart>(n, threads, [&](jrule::Dart e) {
+    return !(to_2[e] == e);
+  })) return false;
+  if (!jrule::parallel::all_of<jrule::Dart>(n, threads, [&](jrule::Dart f) {
+    return jrule::rewrite::count(walk_0_1, f) == std::int64_t{6};
+  })) return false;
+)cpp");
+  expect_contains(code("all(true for e in connected(a))"), "[&](jrule::Dart) {\n    return true;\n");
+  // What depends on the hook, on the dart that stands for a face, or on part of the orbit only.
+  for (char const* condition : {"all(e.x < a.x for e in connected(a))", "all(f.x < 1 for f in connected(a) by <0,1>)",
+                                "not all(e.x < 1 for e in connected(a))", "all(e.x < 1 for e in <0,1>(a))", "a.x < 1",
+                                "any(e.x < 1 for e in connected(a))", "all(e.x < 1 for e in connected(a@1))"}) {
+    EXPECT_EQ(code(condition).find("rewrite_all_dual"), std::string::npos) << condition;
+  }
+}
+
 TEST(Emit, ComprehensionsAreLambdas) {
   std::string const code = emit_module(R"(modeler Shape on gmap(2) { embedding position : <1,2> -> Point3; }
 rule smooth on Shape {

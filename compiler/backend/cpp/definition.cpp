@@ -287,13 +287,14 @@ void define_dense(Writer& out, Function const& rule) {
   parameters.push_back("[[maybe_unused]] jrule::Threads " + f.threads);
   open_call(out, fmt::format("static bool {}", f.local("dense")), parameters, " {", true);
   write_body(out, f, false, [&](Writer& body) {
-    Writer rest(body.depth());
-    write_dense_checks(rest, f);
     Writer plan(body.depth());
+    write_dense_checks(plan, f);
+    if (has_plan(f)) write_plan_title(plan);
     write_values(plan, f);
     write_commit(plan, f);
+    if (!f.plan.added.empty()) plan.line("{}.release_columns();", f.workspace);
     plan.line("return true;");
-    if (has_plan(f)) write_plan_title(rest);
+    Writer rest(body.depth());
     write_with_locals(rest, view_locals(f), plan.all());
     std::vector<Local> locals{{f.size, fmt::format("jrule::Dart const {} = {}.dart_limit();", f.size, f.map)}};
     for (auto const& [word, name] : f.columns) {

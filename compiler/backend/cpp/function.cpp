@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "compiler/analysis/independence.h"
+#include "compiler/backend/cpp/dart_tests.h"
 #include "compiler/backend/cpp/text.h"
 
 namespace jrule::cpp {
@@ -219,8 +220,9 @@ std::string Function::stream() const {
 }
 
 bool Function::can_be_dense() const {
-  return independent && plan.steps.empty() && !plan.test_injectivity && rule.lets.empty() && rule.requirements.empty() &&
-         !merges_on_trial();
+  return independent && plan.steps.empty() && !plan.test_injectivity && rule.lets.empty() && !merges_on_trial() &&
+         std::all_of(rule.requirements.begin(), rule.requirements.end(),
+                     [&](ir::Requirement const& requirement) { return dart_tests(rule, requirement).has_value(); });
 }
 
 Function Function::in(Form other) const {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "compiler/backend/cpp/dart_tests.h"
 #include "compiler/backend/cpp/expression.h"
 #include "compiler/backend/cpp/sections.h"
 #include "compiler/backend/cpp/text.h"
@@ -218,6 +219,18 @@ void write_dense_checks(Writer& out, Function const& f) {
     out.text(arc_of_map(f, check));
     out.line("return {} == {};", f.local("to"), f.local("expected"));
     out.close("})) return false;");
+  }
+  for (ir::Requirement const& requirement : f.rule.requirements) {
+    out.line();
+    out.line("// {}", place(f.sources, requirement.condition->span));
+    auto const tests = dart_tests(f.rule, requirement);
+    for (DartTest const& test : tests.value()) {
+      std::string const condition = expression(*test.condition, f, Where::in_loop), &dart = f.variables.at(test.dart.name);
+      out.open("if (!jrule::parallel::all_of<jrule::Dart>({}, {}, [&](jrule::Dart{}) {{", f.size, f.threads,
+               mentions(condition, dart) ? ' ' + dart : "");
+      out.line("{}", test.must_hold ? fmt::format("return {};", condition) : fmt::format("return !({});", condition));
+      out.close("})) return false;");
+    }
   }
 }
 

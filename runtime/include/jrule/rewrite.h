@@ -73,6 +73,8 @@ class Workspace {
   }
   /// A column of that size, its numbers unset. Valid until begin(). May throw std::bad_alloc.
   Index* column(std::size_t size);
+  /// Gives the memory of all columns back. For what has made the map so much larger that they would hardly do again.
+  void release_columns() noexcept { columns_.clear(); }
 
  private:
   void swap(Workspace& other) noexcept;
