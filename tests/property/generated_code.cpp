@@ -9,6 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "compiler/analysis/independence.h"
 #include "compiler/backend/cpp/emit.h"
 #include "tests/process/process.h"
 
@@ -21,7 +22,7 @@ using Copies = std::vector<std::vector<Dart>>;
 /// What a loaded library holds for each rule.
 struct Entry {
   Result<Copies> (*apply)(Map& map, std::vector<Dart> const& hooks);
-  Result<void> (*everywhere)(Map& map);
+  Result<void> (*everywhere)(Map& map, Threads threads);
 };
 
 char const preamble[] = R"(
@@ -29,7 +30,7 @@ using Copies = std::vector<std::vector<jrule::Dart>>;
 
 struct Entry {
   jrule::Result<Copies> (*apply)(jrule::Map& map, std::vector<jrule::Dart> const& hooks);
-  jrule::Result<void> (*everywhere)(jrule::Map& map);
+  jrule::Result<void> (*everywhere)(jrule::Map& map, jrule::Threads threads);
 };
 
 namespace {
@@ -58,8 +59,13 @@ std::string class_name(std::string const& modeler) {
   return name;
 }
 
+bool is_independent(AcceptedRule const& rule) {
+  return analysis::analyze_independence(rule.scheme, rule.plan).independent();
+}
+
 /// The functions of one rule as an Entry: `{[](…) {…}, [](…) {…}},`.
-std::string entry(ir::RuleScheme const& rule, std::string const& name_space) {
+std::string entry(AcceptedRule const& accepted, std::string const& name_space) {
+  ir::RuleScheme const& rule = accepted.scheme;
   std::string const modeler = name_space + "::" + class_name(rule.modeler->name),
                     function = name_space + "::" + rule.name;
   std::string hooks, copies;
@@ -80,10 +86,10 @@ std::string entry(ir::RuleScheme const& rule, std::string const& name_space) {
      }})",
       modeler, function, hooks, copies);
   std::string const everywhere = fmt::format(
-      R"([](jrule::Map& map) {{
-       return on_modeler<{}>(map, [](auto& modeler) {{ return {}_everywhere(modeler); }});
+      R"([](jrule::Map& map, [[maybe_unused]] jrule::Threads threads) {{
+       return on_modeler<{}>(map, [&](auto& modeler) {{ return {}_everywhere(modeler{}); }});
      }})",
-      modeler, function);
+      modeler, function, is_independent(accepted) ? ", threads" : "");
   return fmt::format("    {{{},\n     {}}},\n", apply, rule.hooks.size() == 1 ? everywhere : "nullptr");
 }
 
@@ -95,7 +101,7 @@ void print_code(std::vector<AcceptedRule> const& rules, std::string const& name,
     Model const& model = rule.scheme.model();
     // Also the namespace: other libraries of this program must not define the same functions.
     std::string const module = name + '_' + model.name + '_' + std::to_string(model.dimension);
-    entries += entry(rule.scheme, module);
+    entries += entry(rule, module);
     modules[module].push_back({&rule.scheme, &rule.plan});
   }
   source::Sources sources;

@@ -17,7 +17,7 @@ struct AcceptedRule {
 struct GeneratedRule {
   Application apply;
   /// The function that applies it to each orbit; none unless it has one hook.
-  std::function<Result<void>(Map& map)> everywhere;
+  std::function<Result<void>(Map& map, Threads threads)> everywhere;
 };
 
 /// Prints the rules by the C++ backend, compiles them as this program was compiled and loads them. No two rules have

@@ -11,6 +11,7 @@
 #include "tests/property/generated_code.h"
 #include "tests/property/models.h"
 #include "tests/property/mutation.h"
+#include "tests/threads/bits.h"
 
 namespace jrule::property {
 
@@ -61,12 +62,22 @@ std::optional<std::string> difference_everywhere(AcceptedRule const& rule, Gener
   bool const at_once = analysis::analyze_independence(rule.scheme, rule.plan).independent();
   auto const expected_result = at_once ? interpreter::apply_all(rule.scheme, rule.plan, expected, {}, workspace)
                                        : interpreter::apply_everywhere(rule.scheme, rule.plan, expected, {}, workspace);
-  auto const result = generated.everywhere(map);
+  auto const result = generated.everywhere(map, {});
   auto const told = [](auto const& applied) { return applied ? std::string("yes") : to_string(applied.error()); };
   if (told(result) != told(expected_result))
     return "applied everywhere: " + told(result) + ", and by the interpreter: " + told(expected_result);
   if (map.darts() != expected.darts() || print_jmap(map) != print_jmap(expected))
     return "applied everywhere: the maps differ:\n" + print_jmap(map) + print_jmap(expected);
+  if (!at_once) return {};
+  for (Threads const threads : tests::several) {
+    Map other = start, other_expected = start;
+    bool const applied = generated.everywhere(other, threads).has_value();
+    bool const interpreted = interpreter::apply_all(rule.scheme, rule.plan, other_expected, {}, workspace, threads).has_value();
+    if (applied != result.has_value() || interpreted != result.has_value()) return "on several threads it applies elsewhere";
+    if (auto const fault = tests::difference_in_bits(map, other)) return "on several threads: " + *fault + " differ";
+    if (auto const fault = tests::difference_in_bits(expected, other_expected))
+      return "interpreted on several threads: " + *fault + " differ";
+  }
   return {};
 }
 

@@ -56,7 +56,7 @@ struct Emission {
     for (char const* file : {"cstddef", "cstdint", "limits", "optional", "span", "string", "utility", "vector"})
       header.line("#include <{}>", file);
     header.line();
-    for (char const* file : {"bulk", "io", "map", "result", "rewrite", "trial", "typed", "value"})
+    for (char const* file : {"bulk", "io", "map", "new_values", "result", "rewrite", "trial", "typed", "value"})
       header.line("#include <jrule/{}.h>", file);
     std::set<std::string> outside;
     for (Class const& c : names.classes) add_headers(*c.modeler, outside, diagnostics);

@@ -6,6 +6,7 @@
 #include "compiler/backend/cpp/expression.h"
 #include "compiler/backend/cpp/sections.h"
 #include "compiler/backend/cpp/text.h"
+#include "compiler/ir/extern_use.h"
 
 namespace jrule::cpp {
 
@@ -40,6 +41,21 @@ void write_new_values(Writer& out, Function const& f) {
   }
 }
 
+void write_clause_on_threads(Writer& out, Function const& f, std::size_t c) {
+  auto const& component = f.plan.orbits[c];
+  bool const dense = f.form == Form::dense;
+  std::string const orbits = f.orbits_of(component);
+  std::string const start =
+      orbits.empty() ? fmt::format("jrule::rewrite::add_value_of_each{}({}, {}, {}, {}", dense ? "<jrule::Dart>" : "",
+                                   f.new_values[component.embedding], f.handles[c], f.size, f.threads)
+                     : fmt::format("jrule::rewrite::add_values{}({}, {}, {}, {}, {}, {}", dense ? "<jrule::Dart>" : "",
+                                   f.new_values[component.embedding], orbits, f.handles[c], f.size, f.threads, f.workspace);
+  out.open("{}, [&]({} {}) -> {} {{", start, dense ? "jrule::Dart" : "std::size_t", f.index,
+           type_name(f.rule.modeler->value_type(component.embedding)));
+  out.line("return {};", expression(*f.rule.clauses[*component.clause].value, f, Where::in_loop));
+  out.close("});");
+}
+
 // One new value for each orbit, made at the first of its pattern darts.
 void write_clause(Writer& out, Function const& f, std::size_t c) {
   auto const& component = f.plan.orbits[c];
@@ -47,6 +63,8 @@ void write_clause(Writer& out, Function const& f, std::size_t c) {
   std::string const add = fmt::format("{}.add({})", f.new_values[component.embedding],
                                       expression(*f.rule.clauses[*component.clause].value, f, Where::in_loop));
   out.line("jrule::Handle* const {} = {}.column({});", handle, f.workspace, f.size);
+  if (f.takes_threads() && !ir::find_extern_use(f.rule)) return write_clause_on_threads(out, f, c);
+  // On one thread: for a single orbit of the hook, or C++ from outside, which may be made for one.
   if (orbits.empty()) {
     out.line("{} {}[{}] = {};", f.loop(), handle, f.index, add);
     return;

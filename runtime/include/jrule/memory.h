@@ -25,10 +25,10 @@ class ColumnAllocator {
   T* allocate(std::size_t count);
   void deallocate(T* memory, std::size_t count) noexcept;
   template <class U, class... Args>
-  void construct(U* place, Args&&... args) {
+  void construct([[maybe_unused]] U* place, Args&&... args) {
     if constexpr (sizeof...(Args) == 0) {
-      static_assert(std::is_trivially_default_constructible_v<U>);
-      ::new (static_cast<void*>(place)) U;
+      // An object of such a type begins to live with its memory.
+      static_assert(std::is_trivially_copyable_v<U>);
     } else {
       std::construct_at(place, std::forward<Args>(args)...);
     }

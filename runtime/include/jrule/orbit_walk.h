@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "jrule/map.h"
@@ -112,6 +113,12 @@ class OrbitWalk {
 // To be filled with what their indices share: fill() gives k's orbit the number, which is not `unset`; until then it is unset
 // in the column. O(orbit · columns). A column says for each index of the pattern where one step leads.
 
+// is_first() says whether k is the smallest index of its orbit, or nothing where that takes too many steps: asked at each index, they
+// would be the square of a long orbit.
+
+/// How far is_first() goes.
+inline constexpr int most_steps = 64;
+
 /// What a column holds where nothing is filled in.
 inline constexpr Index unset = 0xffffffffU;
 
@@ -127,6 +134,13 @@ class CycleOrbits {
       at = column_[at];
     } while (at != k);
   }
+  std::optional<bool> is_first(Index k) const noexcept {
+    Index at = column_[k];
+    for (int steps = 0; steps < most_steps; ++steps, at = column_[at]) {
+      if (at <= k) return at == k;
+    }
+    return {};
+  }
 
  private:
   Index const* column_;
@@ -140,6 +154,21 @@ class DihedralOrbits {
     numbers[k] = number;
     run(first_, second_, numbers, k, number);
     run(second_, first_, numbers, k, number);
+  }
+  std::optional<bool> is_first(Index k) const noexcept {
+    for (Index const* one : {first_, second_}) {
+      Index const* other = one == first_ ? second_ : first_;
+      Index at = k;
+      for (int steps = 0;; ++steps) {
+        Index const to = one[at];
+        if (to == at) break;  // the end of a path: there is its other half
+        if (to <= k) return to == k;
+        if (steps == most_steps) return {};
+        at = to;
+        std::swap(one, other);
+      }
+    }
+    return true;
   }
 
  private:

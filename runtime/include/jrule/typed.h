@@ -1,6 +1,7 @@
 // The values of an embedding as C++ values: what generated code reads and adds, without jrule::Value in between.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -145,6 +146,17 @@ class NewValues {
   /// Its handle. References to values of the embedding are no longer valid.
   Handle add(T value) { return rewrite::add<T>(pool_, std::move(value)); }
   void keep() noexcept { kept_ = true; }
+
+  /// `count` further values, which are still unset: the first one's handle. Not of types from outside.
+  Handle extend(std::size_t count, Threads threads) {
+    std::size_t const first = pool_.size(), size = first + count;
+    if (size >= no_handle) throw std::length_error("too many values");
+    if (size > pool_.capacity()) jrule::reserve(pool_, std::max(size, 2 * pool_.capacity()), threads);
+    pool_.resize(size);
+    return static_cast<Handle>(first);
+  }
+  /// Of extend(): different values may be set at the same time.
+  void set(Handle handle, T value) noexcept { pool_[handle] = value; }
 
  private:
   Embedding& embedding_;
