@@ -37,6 +37,7 @@ struct OrbitAnalysis {
   algebra::Group const& group;
   Placement const& placement;
   PatternWords const& words;
+  ir::Table const& left;
   ir::Table const& right;
   EmbeddingAnalysis& result;
   std::vector<Link> links{};
@@ -169,6 +170,47 @@ struct OrbitAnalysis {
     return found;
   }
 
+  // A dart that exists before: m(u·word, node)·tail, u being the root's pattern dart.
+  struct Matched {
+    Word word;
+    ir::NodeId node;
+    Word tail;
+    bool operator==(Matched const&) const = default;
+  };
+  Matched matched(OrbitComponent const& component, Anchor const& anchor) const {
+    return {group.product(path_of(component, anchor.node), anchor.word), anchor.preserved, anchor.tail};
+  }
+
+  // Along the arcs that the left side matches, as far as there are.
+  Matched step(Matched at, Word const& path) const {
+    for (Letter const letter : path) {
+      ir::Arc const* const arc = letter.conjugate ? left.in(at.node, letter.dimension) : left.out(at.node, letter.dimension);
+      if (at.tail.empty() && arc) {
+        at = {group.product(at.word, letter.conjugate ? group.inverse(arc->word) : arc->word), letter.conjugate ? arc->source : arc->target, {}};
+      } else {
+        at.tail = group.product(at.tail, {letter});
+      }
+    }
+    return at;
+  }
+
+  // Does a path within π lead from one dart to the other? Matched arcs may say so where the places of their nodes do not: at a node
+  // far from its hook, or through a cycle of the left side. A search of the paths that are no longer than a rule's.
+  bool joined_before(Matched const& from, Matched const& to) const {
+    constexpr std::size_t limit = 64;
+    std::vector<Matched> reached{from};
+    for (std::size_t next = 0; next < reached.size(); ++next) {
+      if (reached[next].node == to.node && reached[next].tail == to.tail && words.equal(reached[next].word, to.word)) return true;
+      for (Word const& word : spec().orbit.words) {
+        for (Word const& path : {word, group.inverse(word)}) {
+          Matched const end = step(reached[next], path);
+          if (reached.size() < limit && std::find(reached.begin(), reached.end(), end) == reached.end()) reached.push_back(end);
+        }
+      }
+    }
+    return false;
+  }
+
   struct Merge {
     ir::NodeId first, second;
     std::string text;
@@ -181,7 +223,7 @@ struct OrbitAnalysis {
       Place const other = place(component, *anchor);
       bool const together = other.hook == base.hook && other.element && base.element &&
                             group.in_orbit(group.product(group.inverse(*base.element), *other.element), spec().orbit);
-      if (!together) {
+      if (!together && !joined_before(matched(component, *base.anchor), matched(component, *anchor))) {
         return Merge{base.anchor->preserved, anchor->preserved,
                      base.anchor->preserved == anchor->preserved
                          ? fmt::format("darts of `{}` that may be of different {} before are of one afterwards", rule.nodes[anchor->preserved].name, orbits())
@@ -194,7 +236,8 @@ struct OrbitAnalysis {
       bool const together =
           translated && base.element &&
           group.in_orbit(group.product(group.product(group.inverse(*base.element), *translated), *base.element), spec().orbit);
-      if (!together) {
+      Matched const first = matched(component, *base.anchor);
+      if (!together && !joined_before(first, {group.product(generator, first.word), first.node, first.tail})) {
         return Merge{base.anchor->preserved, base.anchor->preserved,
                      fmt::format("a dart of `{}` and the one that {} leads to in the pattern may be of different {} before and are of one afterwards",
                                  rule.nodes[base.anchor->preserved].name, describe(generator), orbits())};
@@ -317,9 +360,9 @@ EmbeddingAnalysis analyze_embeddings(ir::RuleScheme const& completed, PatternWor
   EmbeddingAnalysis result;
   algebra::Group const group(completed.model());
   Placement const placement(completed, group);
-  ir::Table const right(completed.nodes.size(), completed.right);
+  ir::Table const left(completed.nodes.size(), completed.left), right(completed.nodes.size(), completed.right);
   for (std::size_t e = 0; e < completed.modeler->embeddings.size(); ++e) {
-    OrbitAnalysis{completed, e, group, placement, words, right, result}.run();
+    OrbitAnalysis{completed, e, group, placement, words, left, right, result}.run();
   }
   return result;
 }

@@ -114,6 +114,15 @@ std::vector<Shape> const& closed_surfaces() {
   return surfaces;
 }
 
+Shape prism(std::size_t n) {
+  std::vector<Point3> points;
+  for (std::size_t k = 0; k < n; ++k) {
+    double const angle = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(n);
+    for (double const z : {-1.0, 1.0}) points.push_back({2 * std::cos(angle), 2 * std::sin(angle), z});
+  }
+  return {"prism of " + std::to_string(n), hull(points)};
+}
+
 Shape grid(std::size_t n, std::size_t m) {
   Shape result{"grid", {}};
   for (std::size_t i = 0; i <= n; ++i) {

@@ -19,6 +19,8 @@ struct Shape {
 std::vector<Shape> const& platonic_solids();
 /// The same, a torus of 4 × 4 quads, and the bunny: all closed surfaces.
 std::vector<Shape> const& closed_surfaces();
+/// A prism on a polygon of n sides.
+Shape prism(std::size_t n);
 /// n × m quads in a plane.
 Shape grid(std::size_t n, std::size_t m);
 /// A strip of n quads with half a turn, which has one side.
