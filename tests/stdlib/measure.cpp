@@ -12,26 +12,29 @@ namespace {
 
 bool oriented(Map const& map) { return map.model().is_oriented(1); }
 
-/// How many orbits of `inside` there are in the orbit of d.
-std::size_t parts(Map const& map, OrbitType const& type, OrbitType const& inside, Dart d) {
+}  // namespace
+
+std::size_t count_inside(Map const& map, std::vector<int> const& dimensions, std::vector<int> const& inside, Dart d) {
   std::set<Dart> least;
-  for (Dart const e : orbit(map, type, d)) {
-    auto const part = orbit(map, inside, e);
+  for (Dart const e : orbit(map, orbit_of_dimensions(dimensions), d)) {
+    auto const part = orbit(map, orbit_of_dimensions(inside), e);
     least.insert(*std::min_element(part.begin(), part.end()));
   }
   return least.size();
 }
 
-}  // namespace
+std::size_t count_orbits(Map const& map, std::vector<int> const& dimensions) {
+  return number_orbits(map, orbit_of_dimensions(dimensions)).first.size();
+}
 
 std::size_t face_size(Map const& map, Dart d) {
   if (oriented(map)) return orbit(map, orbit_of_dimensions({1}), d).size();
-  return parts(map, orbit_of_dimensions({0, 1}), orbit_of_dimensions({0}), d);
+  return count_inside(map, {0, 1}, {0}, d);
 }
 
 std::size_t vertex_degree(Map const& map, Dart d) {
   if (oriented(map)) return orbit(map, OrbitType{{{{2, false}, {1, false}}}}, d).size();
-  return parts(map, orbit_of_dimensions({1, 2}), orbit_of_dimensions({2}), d);
+  return count_inside(map, {1, 2}, {2}, d);
 }
 
 Dart other_end(Map const& map, Dart d) { return map.target(d, oriented(map) ? 2 : 0); }

@@ -2,12 +2,18 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "tests/smoothing/polygons.h"
 
 namespace jrule::test {
 
-/// The number of edges of the face of a dart; at a border the darts of a vertex are its edges too.
+/// How many orbits of the dimensions `inside` there are in the orbit of d under `dimensions`, which contain them.
+std::size_t count_inside(Map const& map, std::vector<int> const& dimensions, std::vector<int> const& inside, Dart d);
+/// How many orbits of these dimensions there are.
+std::size_t count_orbits(Map const& map, std::vector<int> const& dimensions);
+
+/// Of surfaces: the number of edges of the face of a dart; at a border the darts of a vertex are its edges too.
 std::size_t face_size(Map const& map, Dart d);
 std::size_t vertex_degree(Map const& map, Dart d);
 /// The dart of the same edge and face at the other end.

@@ -184,4 +184,77 @@ Map build(ir::Modeler const& modeler, Polygons const& polygons) {
   return map;
 }
 
+Solid block(std::size_t n, std::size_t m, std::size_t k) {
+  Solid result{"block of " + std::to_string(n) + " x " + std::to_string(m) + " x " + std::to_string(k), {}, {}};
+  auto const at = [&](std::size_t x, std::size_t y, std::size_t z) { return (x * (m + 1) + y) * (k + 1) + z; };
+  for (std::size_t x = 0; x <= n; ++x) {
+    for (std::size_t y = 0; y <= m; ++y) {
+      for (std::size_t z = 0; z <= k; ++z) {
+        result.points.push_back({static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)});
+        if (x == n || y == m || z == k) continue;
+        std::size_t const p[2][2][2] = {{{at(x, y, z), at(x, y, z + 1)}, {at(x, y + 1, z), at(x, y + 1, z + 1)}},
+                                        {{at(x + 1, y, z), at(x + 1, y, z + 1)}, {at(x + 1, y + 1, z), at(x + 1, y + 1, z + 1)}}};
+        result.volumes.push_back({{p[0][0][0], p[0][0][1], p[0][1][1], p[0][1][0]},
+                                  {p[1][0][0], p[1][1][0], p[1][1][1], p[1][0][1]},
+                                  {p[0][0][0], p[1][0][0], p[1][0][1], p[0][0][1]},
+                                  {p[0][1][0], p[0][1][1], p[1][1][1], p[1][1][0]},
+                                  {p[0][0][0], p[0][1][0], p[1][1][0], p[1][0][0]},
+                                  {p[0][0][1], p[1][0][1], p[1][1][1], p[0][1][1]}});
+      }
+    }
+  }
+  return result;
+}
+
+std::vector<Solid> const& solids() {
+  static std::vector<Solid> const all = [] {
+    std::vector<Solid> made;
+    for (Shape const& shape : platonic_solids()) made.push_back({shape.name, shape.polygons.points, {shape.polygons.faces}});
+    for (std::size_t k = 0; k < 5; ++k) {
+      made.push_back({made[k].name + " and its outside", made[k].points, {made[k].volumes[0], made[k].volumes[0]}});
+    }
+    Shape const sides = prism(5);
+    made.push_back({sides.name, sides.polygons.points, {sides.polygons.faces}});
+    made.push_back(block(2, 1, 1));
+    made.push_back(block(2, 2, 2));
+    made.push_back(block(3, 3, 3));
+    return made;
+  }();
+  return all;
+}
+
+Map build(ir::Modeler const& modeler, Solid const& solid) {
+  Map map(modeler.model, modeler.embeddings);
+  std::vector<Handle> handles;
+  for (Point3 const& p : solid.points) handles.push_back(map.embedding(0).add(p));
+  // The darts of the vertex a and the edge a b of a face, one for each of its sides; by the face's vertices, a and b.
+  std::map<std::vector<Vertices>, std::vector<Dart>> sides;
+  for (std::vector<Vertices> const& faces : solid.volumes) {
+    std::map<Vertices, std::vector<Dart>> of_edge;  // of this volume
+    for (Vertices const& face : faces) {
+      std::size_t const n = face.size();
+      std::vector<Dart> const d = map.add_darts(2 * n);
+      for (std::size_t k = 0; k < n; ++k) {
+        std::size_t const a = face[k], b = face[(k + 1) % n];
+        map.link(d[2 * k], 0, d[2 * k + 1]);
+        map.link(d[2 * k + 1], 1, d[(2 * k + 2) % (2 * n)]);
+        map.embedding(0).set_handle(d[2 * k], handles[a]);
+        map.embedding(0).set_handle(d[2 * k + 1], handles[b]);
+        of_edge[ascending({a, b})].push_back(a < b ? d[2 * k] : d[2 * k + 1]);
+        sides[{ascending(face), {a, b}}].push_back(d[2 * k]);
+        sides[{ascending(face), {b, a}}].push_back(d[2 * k + 1]);
+      }
+    }
+    for (auto const& [ends, darts] : of_edge) {
+      if (darts.size() != 2) throw std::runtime_error("an edge of " + std::to_string(darts.size()) + " faces");
+      map.link(darts[0], 2, darts[1]);
+      map.link(map.target(darts[0], 0), 2, map.target(darts[1], 0));
+    }
+  }
+  for (auto const& [side, darts] : sides) {
+    if (darts.size() == 2) map.link(darts[0], 3, darts[1]);
+  }
+  return map;
+}
+
 }  // namespace jrule::test

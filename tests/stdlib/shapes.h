@@ -30,4 +30,19 @@ Shape moebius(std::size_t n);
 /// Faces become darts in their order. A free edge stays a loop: none for an O-map.
 Map build(ir::Modeler const& modeler, Polygons const& polygons);
 
+/// Volumes that share points: of each, its faces, which turn to the left seen from outside.
+struct Solid {
+  std::string name;
+  std::vector<Point3> points;
+  std::vector<std::vector<Vertices>> volumes;
+};
+/// The Platonic solids, one volume each; the same with a volume outside, so that there is no border; a prism, and blocks of
+/// cubes.
+std::vector<Solid> const& solids();
+/// n × m × k cubes.
+Solid block(std::size_t n, std::size_t m, std::size_t k);
+
+/// A map of a modeler on gmap(3), likewise. Faces with the same vertices are glued.
+Map build(ir::Modeler const& modeler, Solid const& solid);
+
 }  // namespace jrule::test
