@@ -259,6 +259,8 @@ struct Comparison {
   bool same_value(ir::NodeDart const&, ir::NodeDart const&, Order) const { return false; }               // darts: see same
   bool same_value(ir::Bound const&, ir::Bound const&, Order) const { return false; }
   bool same_value(ir::Walk const&, ir::Walk const&, Order) const { return false; }
+  bool same_value(ir::VariableRef const&, ir::VariableRef const&, Order) const { return false; }  // of operations
+  bool same_value(ir::CopyOf const&, ir::CopyOf const&, Order) const { return false; }
   bool same_value(ir::Darts const& a, ir::Darts const& b, Order order) const {  // they are counted
     return same_darts(a, b, order, [](Word const&) { return true; });
   }

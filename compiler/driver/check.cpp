@@ -42,6 +42,9 @@ int check(CheckOptions const& options) {
       };
       auto const errors = count(source::Severity::error), warnings = count(source::Severity::warning);
       fmt::print("{}: {} rule{} accepted", file, accepted, accepted == 1 ? "" : "s");
+      if (auto const operations = compilation->program.operations.size(); operations != 0) {
+        fmt::print(", {} operation{}", operations, operations == 1 ? "" : "s");
+      }
       if (errors != 0) fmt::print(", {} error{}", errors, errors == 1 ? "" : "s");
       if (warnings != 0) fmt::print(", {} warning{}", warnings, warnings == 1 ? "" : "s");
       fmt::print("\n");

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "compiler/analysis/operations.h"
 #include "compiler/sema/imports.h"
 
 namespace jrule::driver {
@@ -49,6 +50,13 @@ std::unique_ptr<Compilation> compile(std::string const& path, Common const& comm
   compilation->program = sema::elaborate(compilation->modules, compilation->diagnostics);
   for (ir::RuleScheme const& rule : compilation->program.rules) {
     compilation->verdicts.push_back(judge(rule, compilation->diagnostics, files));
+  }
+  for (ir::Operation const& operation : compilation->program.operations) {
+    if (auto const fault = ir::verify(operation, compilation->program)) throw std::logic_error("operation " + operation.name + ": " + *fault);
+    for (source::Diagnostic const& found : analysis::check_calls(operation, compilation->program, compilation->verdicts)) {
+      compilation->diagnostics.add(
+          operation.import ? sema::told_at_import(found, *operation.import, operation.name, operation.module, operation.modeler->name) : found);
+    }
   }
   if (common.warnings_are_errors) compilation->diagnostics.make_errors_of_warnings();
   return compilation;

@@ -36,6 +36,7 @@ std::vector<Output> produce(EmitOptions const& options, Compilation& compilation
     std::string text;
     for (auto const& modeler : program.modelers) text += ir::print(*modeler) + "\n";
     for (ir::RuleScheme const& rule : program.rules) text += ir::print(rule) + "\n";
+    for (ir::Operation const& operation : program.operations) text += ir::print(operation, program) + "\n";
     outputs.push_back({program.module + ".ir", std::move(text)});
   } else if (options.stage == "jrule") {
     auto text = text::print_jrule(program);
@@ -69,6 +70,7 @@ bool keep_only(RuleReference const& reference, std::optional<int> n, Compilation
   std::vector<ir::RuleScheme> const rules = std::move(program.rules);
   std::vector<analysis::Verdict> const verdicts = std::move(compilation.verdicts);
   program.rules.clear();
+  program.operations.clear();  // they call other rules
   compilation.verdicts.clear();
   for (std::size_t i = 0; i < rules.size() && reference.dimensions.empty(); ++i) {
     if (rules[i].name != reference.rule) continue;

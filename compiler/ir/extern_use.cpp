@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 namespace jrule::ir {
 
 namespace {
@@ -36,7 +38,49 @@ Found use_in(Modeler const& modeler) {
   return {};
 }
 
+Found use_in(std::vector<Parameter> const& parameters) {
+  for (Parameter const& p : parameters) {
+    if (Found use = use_of(p.external, p.span, fmt::format("the parameter `{}`", p.name))) return use;
+    if (Found use = use_in(p.computed_default, fmt::format("the default of `{}`", p.name))) return use;
+  }
+  return {};
+}
+
+Found use_in(Block const& block) {
+  for (Statement const& statement : block) {
+    for (ExprPtr const& expr : expressions(statement)) {
+      if (Found use = use_in(expr, "a statement")) return use;
+    }
+    for (Block const* inner : blocks(statement)) {
+      if (Found use = use_in(*inner)) return use;
+    }
+  }
+  return {};
+}
+
+// `seen`: the operations that were searched already.
+Found use_in(Operation const& operation, Program const& program, std::set<std::size_t>& seen) {
+  if (Found use = use_in(operation.parameters)) return use;
+  if (Found use = use_in(operation.body)) return use;
+  for (Called const& called : calls(operation.body)) {
+    Found use;
+    if (called.is_rule) {
+      use = find_extern_use(program.rules[called.index]);
+    } else if (seen.insert(called.index).second) {
+      use = use_in(program.operations[called.index], program, seen);
+    }
+    if (use) return use;
+  }
+  return {};
+}
+
 }  // namespace
+
+std::optional<ExternUse> find_extern_use(Operation const& operation, Program const& program) {
+  if (Found use = use_in(*operation.modeler)) return use;
+  std::set<std::size_t> seen;
+  return use_in(operation, program, seen);
+}
 
 Expr const* find_call(Expr const& expr) {
   if (std::holds_alternative<Call>(expr.value)) return &expr;
@@ -48,10 +92,7 @@ Expr const* find_call(Expr const& expr) {
 
 std::optional<ExternUse> find_extern_use(RuleScheme const& rule) {
   if (Found use = use_in(*rule.modeler)) return use;
-  for (Parameter const& p : rule.parameters) {
-    if (Found use = use_of(p.external, p.span, fmt::format("the parameter `{}`", p.name))) return use;
-    if (Found use = use_in(p.computed_default, fmt::format("the default of `{}`", p.name))) return use;
-  }
+  if (Found use = use_in(rule.parameters)) return use;
   for (Let const& let : rule.lets) {
     if (Found use = use_in(let.value, fmt::format("`{}`", let.name))) return use;
   }

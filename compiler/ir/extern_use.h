@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "compiler/ir/rule_scheme.h"
+#include "compiler/ir/program.h"
 
 namespace jrule::ir {
 
@@ -19,5 +19,7 @@ struct ExternUse {
 /// The first thing for which running the rule takes C++ from outside: in its modeler, then in the rule. None if the
 /// interpreter can run it.
 std::optional<ExternUse> find_extern_use(RuleScheme const& rule);
+/// The same of an operation, and of all that it calls.
+std::optional<ExternUse> find_extern_use(Operation const& operation, Program const& program);
 
 }  // namespace jrule::ir

@@ -21,6 +21,8 @@ struct Parts {
   List operator()(Apply const& apply) const { return apply.arguments; }
   List operator()(Call const& call) const { return call.arguments; }
   List operator()(Conditional const& c) const { return {c.condition, c.then_value, c.else_value}; }
+  List operator()(VariableRef const&) const { return {}; }
+  List operator()(CopyOf const& copy) const { return copy.at ? List{copy.at} : List{}; }
 };
 
 /// `lets`: for each let, whether it starts at a left node.

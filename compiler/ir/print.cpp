@@ -106,6 +106,10 @@ std::string print(Expr const& expr, RuleScheme const& rule) {
       return fmt::format("(if {} {} {})", print(*c.condition, rule), print(*c.then_value, rule),
                          print(*c.else_value, rule));
     }
+    std::string operator()(VariableRef const& v) const { return v.name; }
+    std::string operator()(CopyOf const& c) const {
+      return fmt::format("{}.{}{}", c.result.name, c.node_name, c.at ? fmt::format("[{}]", print(*c.at, rule)) : "");
+    }
   };
   return std::visit(Visitor{rule}, expr.value);
 }
@@ -135,15 +139,17 @@ std::string print(Modeler const& modeler) {
   return text;
 }
 
+std::string print_parameter(Parameter const& p) {
+  std::string text = fmt::format("  parameter {}: {}", p.name, to_string(p.value_type()));
+  if (!p.unit.empty()) text += fmt::format(" [{}]", p.unit);
+  if (p.default_value) text += fmt::format(" = {}", jrule::to_string(*p.default_value));
+  if (p.computed_default) text += fmt::format(" = {}", print_computed(*p.computed_default));
+  return text + '\n';
+}
+
 std::string print(RuleScheme const& rule) {
   std::string text = fmt::format("rule {} on {}\n", rule.name, rule.modeler->name);
-  for (Parameter const& p : rule.parameters) {
-    text += fmt::format("  parameter {}: {}", p.name, to_string(p.value_type()));
-    if (!p.unit.empty()) text += fmt::format(" [{}]", p.unit);
-    if (p.default_value) text += fmt::format(" = {}", jrule::to_string(*p.default_value));
-    if (p.computed_default) text += fmt::format(" = {}", print_computed(*p.computed_default));
-    text += '\n';
-  }
+  for (Parameter const& p : rule.parameters) text += print_parameter(p);
   if (!rule.hooks.empty()) {
     std::string type;
     for (Letter letter : rule.hook_type) {

@@ -130,10 +130,15 @@ struct Apply { Builtin function; std::vector<ExprPtr> arguments; };
 /// An extern function called: only generated code can.
 struct Call { ExternFunctionPtr function; std::vector<ExprPtr> arguments; };
 struct Conditional { ExprPtr condition, then_value, else_value; };
+/// A variable of an operation (operation.h). Expressions of rules have none of these two.
+struct VariableRef { std::size_t index; std::string name; };
+/// A dart that a rule call gave: the copy of a right node, made for the hook's dart, or for the pattern dart `at` if that is given.
+struct CopyOf { VariableRef result; NodeId node; std::string node_name; ExprPtr at; };
 
 struct Expr {
   ExprType type;
-  std::variant<Constant, ParameterRef, LetRef, NodeDart, Bound, Walk, Darts, ValueAt, Collect, ForEach, Apply, Call, Conditional>
+  std::variant<Constant, ParameterRef, LetRef, NodeDart, Bound, Walk, Darts, ValueAt, Collect, ForEach, Apply, Call, Conditional,
+               VariableRef, CopyOf>
       value;
   Span span;
 };
@@ -152,8 +157,9 @@ struct Parameter {
   ExternTypePtr external{};    ///< of Type::Extern
   ExprPtr computed_default{};  ///< a default that calls extern functions; it reads nothing
   Span span{};
+  bool dart = false;  ///< of an operation: a Dart, and `type` means nothing
 
-  ExprType value_type() const { return {type, false, false, external}; }
+  ExprType value_type() const { return dart ? dart_type : ExprType{type, false, false, external}; }
   bool has_default() const { return default_value || computed_default; }
 };
 
@@ -221,13 +227,6 @@ struct RuleScheme {
   Model const& model() const { return modeler->model; }
 };
 
-/// What a module's files mean: the root file's modelers, its rules, and the imported rules that its modelers take.
-struct Program {
-  std::string module;  ///< the root file's stem
-  std::vector<std::shared_ptr<Modeler const>> modelers;
-  std::vector<RuleScheme> rules;
-};
-
 /// Does the requirement depend on where the rule is applied: does it, or a `let` that it names, start at a left node?
 bool depends_on_place(RuleScheme const& rule, Requirement const& requirement);
 
@@ -259,6 +258,7 @@ std::string map_name(Model const& model);
 /// The textual form, for `jrule emit ir`.
 std::string print(RuleScheme const& rule);
 std::string print(Modeler const& modeler);
+std::string print_parameter(Parameter const& parameter);  ///< its line
 std::string print(Expr const& expr, RuleScheme const& rule);
 
 /// What the stages rely on and sema guarantees: ids in range, words in normal form over the model's letters, nodes on the

@@ -2,12 +2,11 @@
 
 #include "compiler/algebra/group.h"
 #include "compiler/ir/rule_scheme.h"
+#include "compiler/ir/verify_expr.h"
 
 namespace jrule::ir {
 
 namespace {
-
-using Fault = std::optional<std::string>;
 
 Fault verify_word(algebra::Group const& group, Word const& word) {
   for (Letter letter : word) {
@@ -49,14 +48,12 @@ std::vector<NodeId> left_components(RuleScheme const& rule) {
   return parent;
 }
 
-// `depth` comprehensions are around the expression.
-Fault verify_expr(RuleScheme const& rule, ExprPtr const& expr, std::size_t depth = 0);
-
 struct ExprVisitor {
   RuleScheme const& rule;
+  VisibleVariables const* variables;
   std::size_t depth;
 
-  Fault part(ExprPtr const& expr) const { return verify_expr(rule, expr, depth); }
+  Fault part(ExprPtr const& expr) const { return verify_expr(rule, expr, variables, depth); }
   Fault dart(ExprPtr const& expr) const {
     if (Fault fault = part(expr)) return fault;
     return expr->type == dart_type ? Fault{} : "an expression reads the map at something that is no dart";
@@ -92,7 +89,7 @@ struct ExprVisitor {
   Fault operator()(ForEach const& f) const {
     if (f.variable.level != depth) return "a comprehension's variable is not of its level";
     if (Fault fault = (*this)(f.over)) return fault;
-    if (Fault fault = verify_expr(rule, f.element, depth + 1)) return fault;
+    if (Fault fault = verify_expr(rule, f.element, variables, depth + 1)) return fault;
     bool const one_value = !f.element->type.list && !f.element->type.dart;
     return one_value ? Fault{} : "the element of a comprehension is not one value";
   }
@@ -116,14 +113,28 @@ struct ExprVisitor {
     }
     return {};
   }
+  Fault operator()(VariableRef const& v) const {
+    if (!variables) return "an expression of a rule reads a variable of an operation";
+    return v.index < variables->declared.size() && variables->declared[v.index] ? Fault{} : "an expression reads a variable before it is declared";
+  }
+  Fault operator()(CopyOf const& c) const {
+    if (Fault fault = (*this)(c.result)) return fault;
+    auto const result = variables->variables[c.result.index].result;
+    if (!result || *result >= variables->rules.size()) return "an expression takes a copy from what is no result of a rule";
+    RuleScheme const& called = variables->rules[*result];
+    if (c.node >= called.nodes.size() || called.nodes[c.node].deleted()) return "an expression takes a copy of a node that is not on the right";
+    if (!c.at) return {};
+    if (called.hooks.empty() || called.nodes[called.hooks[0]].deleted()) return "an expression asks for a pattern dart where none is kept";
+    return dart(c.at);
+  }
 };
 
-Fault verify_expr(RuleScheme const& rule, ExprPtr const& expr, std::size_t depth) {
-  if (!expr) return "a part of an expression is missing";
-  return std::visit(ExprVisitor{rule, depth}, expr->value);
-}
-
 }  // namespace
+
+Fault verify_expr(RuleScheme const& rule, ExprPtr const& expr, VisibleVariables const* variables, std::size_t depth) {
+  if (!expr) return "a part of an expression is missing";
+  return std::visit(ExprVisitor{rule, variables, depth}, expr->value);
+}
 
 std::optional<std::string> verify(RuleScheme const& rule) {
   if (!rule.modeler) return "the rule has no modeler";

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <map>
 
+#include "compiler/sema/callees.h"
 #include "compiler/sema/imports.h"
-#include "compiler/sema/models.h"
+#include "compiler/sema/modeler_table.h"
 #include "compiler/sema/names.h"
+#include "compiler/sema/operations.h"
 #include "compiler/sema/rules.h"
 
 namespace jrule::sema {
@@ -17,61 +19,6 @@ using source::Code;
 using source::Diagnostics;
 
 namespace {
-
-using ModelerPtr = std::shared_ptr<ir::Modeler const>;
-
-// Modelers by name, each elaborated and reported once.
-struct ModelerTable {
-  Items const& items;
-  Externs const& externs;
-  std::map<std::string, ModelerPtr> known;
-
-  ModelerPtr declared(ast::Modeler const& modeler, Diagnostics& diagnostics) {
-    auto const [entry, fresh] = known.try_emplace(modeler.name.text);
-    if (fresh) entry->second = elaborate_modeler(modeler, items, externs, diagnostics);
-    return entry->second;
-  }
-
-  std::vector<ModelerPtr> of(Module const& module, Diagnostics& diagnostics) {
-    std::vector<ModelerPtr> all;
-    for (ast::Item const& item : module.ast.items) {
-      auto const* modeler = std::get_if<ast::Modeler>(&item);
-      if (!modeler) continue;
-      if (auto elaborated = declared(*modeler, diagnostics)) all.push_back(std::move(elaborated));
-    }
-    return all;
-  }
-
-  // The modeler that `on NAME` or `on gmap(2)` means: a bare model is a modeler without embeddings.
-  ModelerPtr resolve(ast::ModelRef const& ref, DimensionValues const& values, Diagnostics& diagnostics) {
-    if (!ref.dimension) {
-      if (ast::Modeler const* const modeler = items.modeler(ref.name.text)) return declared(*modeler, diagnostics);
-      if (!items.model(ref.name.text)) {
-        report_unknown(diagnostics, Code::unknown_modeler, ref.name, "modeler", items.names<ast::Modeler>());
-        return {};
-      }
-    }
-    auto const model = resolve_model(ref, items, values, diagnostics);
-    if (!model) return {};
-    auto bare = std::make_shared<ir::Modeler>();
-    bare->name = ref.dimension ? fmt::format("{}({})", ref.name.text, model->dimension) : ref.name.text;
-    bare->model = *model;
-    return bare;
-  }
-};
-
-// The parameter of a bare model's dimension, as in `on gmap(n)`: a name that is no dimension parameter of the rule.
-std::optional<std::string> open_dimension(ast::Rule const& rule) {
-  if (!rule.on.dimension) return {};
-  for (ast::DimensionTerm const& term : rule.on.dimension->terms) {
-    auto const* name = std::get_if<std::string>(&term.value);
-    if (!name) continue;
-    bool bound = false;
-    for (ast::Name const& p : rule.dimension_parameters) bound = bound || p.text == *name;
-    if (!bound) return *name;
-  }
-  return {};
-}
 
 ast::Name const* name_of(ast::Item const& item) {
   return std::visit(
@@ -98,17 +45,12 @@ void report_duplicates(Module const& module, Diagnostics& diagnostics) {
   }
 }
 
-void report_unimplemented(ast::Item const& item, Diagnostics& diagnostics) {
-  if (auto const* operation = std::get_if<ast::Operation>(&item)) {
-    diagnostics.add({.code = Code::operation_not_implemented, .span = operation->name.span,
-                     .message = fmt::format("the operation `{}` is parsed, but operations are not yet implemented", operation->name.text)});
-  }
+// Does it stand for one rule in each dimension?
+bool is_family(ast::Rule const& rule) {
+  return !rule.dimension_parameters.empty() || open_dimension(rule.on, rule.dimension_parameters);
 }
 
-// Does it stand for one rule in each dimension?
-bool is_family(ast::Rule const& rule) { return !rule.dimension_parameters.empty() || open_dimension(rule); }
-
-// A modeler of the root that takes an imported rule: it is on the rule's model.
+// A modeler of the root that takes an imported rule or operation: it is on that one's model.
 struct Taker {
   ModelerPtr modeler;
   ModelerPtr declared_on;
@@ -121,13 +63,13 @@ struct ImportElaboration {
   ModelerTable& modelers;
   std::vector<ModelerPtr> const& own;
 
-  std::vector<Taker> takers(ast::Rule const& rule, DimensionValues const& values) const {
+  std::vector<Taker> takers(ast::ModelRef const& on, std::vector<ast::Name> const& dimension_parameters, DimensionValues const& values) const {
     std::vector<Taker> takers;
     for (auto const& modeler : own) {
       DimensionValues with_open = values;
-      if (auto const open = open_dimension(rule)) with_open[*open] = modeler->model.dimension;
-      Diagnostics unseen;  // what is wrong with the rule's own modeler or dimensions is told in its file, or where it is used
-      auto declared_on = modelers.resolve(rule.on, with_open, unseen);
+      if (auto const open = open_dimension(on, dimension_parameters)) with_open[*open] = modeler->model.dimension;
+      Diagnostics unseen;  // what is wrong with its own modeler or dimensions is told in its file, or where it is used
+      auto declared_on = modelers.resolve(on, with_open, unseen);
       if (declared_on && declared_on->model == modeler->model) takers.push_back({modeler, std::move(declared_on), std::move(with_open)});
     }
     return takers;
@@ -146,8 +88,24 @@ struct ImportElaboration {
   }
 };
 
-// The spelling of a rule that several modelers take.
-std::string qualified(ir::Modeler const& modeler, std::string const& rule) { return fmt::format("{}.{}", modeler.name, rule); }
+// The operations of the root, then those that its modelers take from the modules that it imports.
+void declare_operations(Modules const& modules, ImportElaboration const& imports, Callees& callees, Diagnostics& diagnostics) {
+  Module const& root = modules.all.back();
+  for (ast::Item const& item : root.ast.items) {
+    auto const* operation = std::get_if<ast::Operation>(&item);
+    if (!operation) continue;
+    auto modeler = imports.modelers.resolve(operation->on, {}, diagnostics);
+    if (modeler) callees.declare({operation, &root, {}, modeler}, operation->name.text, modeler, {}, diagnostics);
+  }
+  for (ImportedOperation const& imported : imported_operations(modules)) {
+    std::string const& name = imported.operation->name.text;
+    auto const takers = imports.takers(imported.operation->on, {}, {});
+    for (Taker const& taker : takers) {
+      callees.declare({imported.operation, imported.module, taker.values, taker.declared_on},
+                      takers.size() == 1 ? name : qualified(*taker.modeler, name), taker.modeler, imported.import, diagnostics);
+    }
+  }
+}
 
 // `on` is the modeler that was named, if one was.
 void report_takers(std::string const& rule, std::string const& on, std::vector<Taker> const& takers, Diagnostics& diagnostics) {
@@ -172,13 +130,15 @@ ir::Program elaborate(Modules const& modules, Diagnostics& diagnostics) {
   ModelerTable modelers{items, externs, {}};
   report_duplicates(root, diagnostics);
   for (ast::Item const& item : root.ast.items) {
-    if (auto const* model = std::get_if<ast::Model>(&item)) {
-      check_model(*model, diagnostics);
-    } else {
-      report_unimplemented(item, diagnostics);
-    }
+    if (auto const* model = std::get_if<ast::Model>(&item)) check_model(*model, diagnostics);
   }
   program.modelers = modelers.of(root, diagnostics);
+  Callees callees(modules, externs, modelers, program);
+  // The scheme becomes one of the program's, if there is one.
+  auto const keep = [&](ast::Rule const& rule, ir::Modeler const& modeler, std::optional<ir::RuleScheme> scheme) {
+    callees.add(rule, modeler, scheme ? std::optional(program.rules.size()) : std::nullopt);
+    if (scheme) program.rules.push_back(std::move(*scheme));
+  };
   for (ast::Item const& item : root.ast.items) {
     auto const* rule = std::get_if<ast::Rule>(&item);
     if (!rule) continue;
@@ -189,20 +149,22 @@ ir::Program elaborate(Modules const& modules, Diagnostics& diagnostics) {
     }
     auto modeler = modelers.resolve(rule->on, {}, diagnostics);
     if (!modeler) continue;
-    if (auto scheme = elaborate_rule(*rule, rule->name.text, root.name, std::move(modeler), {}, externs, diagnostics)) {
-      program.rules.push_back(std::move(*scheme));
-    }
+    keep(*rule, *modeler, elaborate_rule(*rule, rule->name.text, root.name, modeler, {}, externs, diagnostics));
   }
   ImportElaboration const imports{externs, modelers, program.modelers};
   for (ImportedRule const& imported : imported_rules(modules)) {
     if (is_family(*imported.rule)) continue;
     std::string const& name = imported.rule->name.text;
-    auto const takers = imports.takers(*imported.rule, {});
+    auto const takers = imports.takers(imported.rule->on, imported.rule->dimension_parameters, {});
     for (Taker const& taker : takers) {
       auto scheme = imports.elaborate(imported, taker, takers.size() == 1 ? name : qualified(*taker.modeler, name), diagnostics);
-      if (scheme) program.rules.push_back(std::move(*scheme));
+      keep(*imported.rule, *taker.modeler, std::move(scheme));
     }
   }
+  declare_operations(modules, imports, callees, diagnostics);
+  std::vector<bool> good;
+  for (std::size_t i = 0; i < callees.operations().size(); ++i) good.push_back(elaborate_body(i, program, callees, externs, diagnostics));
+  ir::keep_operations(program, good);
   return program;
 }
 
@@ -237,11 +199,11 @@ std::optional<ir::RuleScheme> instantiate(Modules const& modules, std::string co
   std::vector<Taker> all;
   if (import != imported.end()) {
     ImportElaboration const imports{externs, modelers, own};
-    all = imports.takers(*rule, values);
+    all = imports.takers(rule->on, rule->dimension_parameters, values);
     auto takers = all;
     std::erase_if(takers, [&](Taker const& taker) {
       if (!on.empty()) return taker.modeler->name != on;
-      return n && open_dimension(*rule) && taker.modeler->model.dimension != *n;
+      return n && open_dimension(rule->on, rule->dimension_parameters) && taker.modeler->model.dimension != *n;
     });
     if (takers.size() == 1) {
       return imports.elaborate(*import, takers.front(), all.size() == 1 ? full : qualified(*takers.front().modeler, full), diagnostics);
@@ -255,7 +217,7 @@ std::optional<ir::RuleScheme> instantiate(Modules const& modules, std::string co
     report_takers(full, on, all, diagnostics);
     return {};
   }
-  if (auto const open = open_dimension(*rule); open && n) values[*open] = *n;
+  if (auto const open = open_dimension(rule->on, rule->dimension_parameters); open && n) values[*open] = *n;
   auto modeler = modelers.resolve(rule->on, values, diagnostics);
   if (!modeler) return {};
   return elaborate_rule(*rule, full, items.module_of(rule), std::move(modeler), values, externs, diagnostics);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/ir/rule_scheme.h"
+#include "compiler/ir/program.h"
 #include "compiler/sema/modules.h"
 
 namespace jrule::sema {

@@ -52,9 +52,20 @@ class Checker {
     return std::visit([&](auto const& node) { return check(node, expr.span); }, expr.value);
   }
 
+  /// The darts of the orbit that `user` ranges over.
+  std::optional<ir::Darts> range(ast::Expr const& expr, std::string const& user) {
+    if (auto const* orbit = std::get_if<ast::OrbitOf>(&expr.value)) return darts(*orbit);
+    if (ExprPtr const value = check(expr)) {
+      report(Code::type_mismatch, expr.span,
+             fmt::format("{} ranges over an orbit, this is {}", user, described(value->type)), {},
+             {"an orbit is written with its type and a dart: `<1,2>(a)`, `<1,2>(a) by <1>`"});
+    }
+    return {};
+  }
+
  private:
   struct Pi {};
-  using Meaning = std::variant<ir::Bound, ir::ParameterRef, ir::LetRef, ir::NodeDart, Pi>;
+  using Meaning = std::variant<ir::Bound, ir::VariableRef, ir::ParameterRef, ir::LetRef, ir::NodeDart, Pi>;
 
   ExprPtr report(Code code, Span span, std::string message, std::vector<Label> labels = {},
                  std::vector<std::string> notes = {}) {
@@ -73,6 +84,7 @@ class Checker {
     for (std::size_t level = 0; level < variables_.size(); ++level) {
       if (variables_[level].text == name) return ir::Bound{level, name};
     }
+    if (auto const variable = find_variable(name)) return *variable;
     if (context_.rule) {
       if (auto const i = position(context_.rule->parameters)) return ir::ParameterRef{*i};
       if (auto const i = position(context_.rule->lets)) return ir::LetRef{*i};
@@ -81,6 +93,14 @@ class Checker {
     if (name == "pi") return Pi{};
     return {};
   }
+
+  std::optional<ir::VariableRef> find_variable(std::string const& name) const {
+    if (!context_.operation) return {};
+    auto const found = context_.operation->visible.find(name);
+    return found == context_.operation->visible.end() ? std::nullopt : std::optional(ir::VariableRef{found->second, name});
+  }
+  ir::Variable const& variable(ir::VariableRef const& ref) const { return context_.operation->operation->variables[ref.index]; }
+  ir::RuleScheme const& called(ir::Variable const& result) const { return context_.operation->program->rules[*result.result]; }
 
   /// What the name means; none, reported, if it means nothing in an expression.
   std::optional<Meaning> resolve(std::string const& name, Span span) {
@@ -107,8 +127,12 @@ class Checker {
       report(Code::unknown_value, span, fmt::format("a default is a constant: it cannot read `{}`", name));
       return;
     }
+    if (report_undeclared(name, span)) return;
     std::vector<std::string> known;
     for (ast::Name const& variable : variables_) known.push_back(variable.text);
+    if (context_.operation) {
+      for (auto const& [variable, index] : context_.operation->visible) known.push_back(variable);
+    }
     for (ir::Parameter const& p : context_.rule->parameters) known.push_back(p.name);
     for (ir::Let const& l : context_.rule->lets) known.push_back(l.name);
     for (ir::Node const& n : context_.rule->nodes) {
@@ -116,6 +140,24 @@ class Checker {
     }
     known.push_back("pi");
     report_unknown(diagnostics_, Code::unknown_value, {name, span}, "value", known);
+  }
+
+  /// Names of an operation that mean something elsewhere in it, or in a call.
+  bool report_undeclared(std::string const& name, Span span) {
+    if (!context_.operation) return false;
+    if (context_.operation->broken.contains(name)) return true;
+    auto const& declarations = context_.operation->declarations;
+    if (auto const declared = declarations.find(name); declared != declarations.end()) {
+      bool const later = span.begin < declared->second.begin;
+      report(Code::unknown_value, span,
+             later ? fmt::format("`{}` is used before it is declared", name) : fmt::format("`{}` is not known behind the block that declares it", name),
+             {{declared->second, "declared here"}});
+      return true;
+    }
+    if (!context_.operation->is_callee(name)) return false;
+    report(Code::unknown_value, span, fmt::format("`{}` is a rule or an operation, not a value", name), {},
+           {fmt::format("it is called with its arguments: `{}(…);`", name)});
+    return true;
   }
 
   // ---- Leaves ----
@@ -131,6 +173,10 @@ class Checker {
   ExprPtr check(ast::NameExpr const& expr, Span span) {
     std::optional<Meaning> const meaning = resolve(expr.name, span);
     if (!meaning) return {};
+    if (auto const* v = std::get_if<ir::VariableRef>(&*meaning)) {
+      if (variable(*v).result) return report_result(*v, span);
+      return make(variable(*v).type, *v, span);
+    }
     if (auto const* p = std::get_if<ir::ParameterRef>(&*meaning)) {
       return make(context_.rule->parameters[p->index].value_type(), *p, span);
     }
@@ -142,6 +188,71 @@ class Checker {
     if (auto const* n = std::get_if<ir::NodeDart>(&*meaning)) return make(ir::dart_type, *n, span);
     if (auto const* b = std::get_if<ir::Bound>(&*meaning)) return make(ir::dart_type, *b, span);
     return make(real, ir::Constant{std::numbers::pi}, span);
+  }
+
+  // ---- Results of rules ----
+
+  ExprPtr report_result(ir::VariableRef const& result, Span span) {
+    ir::RuleScheme const& rule = called(variable(result));
+    std::vector<std::string> darts = right_nodes(rule);
+    for (std::string& d : darts) d = fmt::format("`{}.{}`", result.name, d);
+    return report(Code::bad_result, span, fmt::format("`{}` is the result of `{}`, not a value", result.name, rule.name), {},
+                  {darts.empty() ? fmt::format("`{}` leaves no darts", rule.name)
+                                 : fmt::format("the darts of its right side are {}", fmt::join(darts, ", "))});
+  }
+
+  static std::vector<std::string> right_nodes(ir::RuleScheme const& rule) {
+    std::vector<std::string> names;
+    for (ir::Node const& node : rule.nodes) {
+      if (!node.deleted()) names.push_back(node.name);
+    }
+    return names;
+  }
+
+  /// The result that the expression names, if it is the name of one.
+  std::optional<ir::VariableRef> find_result(ast::Expr const& expr) const {
+    auto const* name = std::get_if<ast::NameExpr>(&expr.value);
+    bool const bound = name && std::any_of(variables_.begin(), variables_.end(), [&](ast::Name const& v) { return v.text == name->name; });
+    auto const found = name && !bound ? find_variable(name->name) : std::nullopt;
+    return found && variable(*found).result ? found : std::nullopt;
+  }
+
+  ExprPtr copy(ir::VariableRef const& result, ast::Name const& name, ExprPtr at, Span span) {
+    ir::RuleScheme const& rule = called(variable(result));
+    auto const node = std::find_if(rule.nodes.begin(), rule.nodes.end(), [&](ir::Node const& n) { return n.name == name.text; });
+    if (node != rule.nodes.end() && !node->deleted()) {
+      return make(ir::dart_type, ir::CopyOf{result, static_cast<ir::NodeId>(node - rule.nodes.begin()), name.text, std::move(at)}, span);
+    }
+    if (node != rule.nodes.end()) {
+      return report(Code::bad_result, name.span, fmt::format("`{}` deletes `{}`: no dart of it is left", rule.name, name.text),
+                    {{node->span(), "on the left side only"}});
+    }
+    report_not_found(diagnostics_, Code::bad_result, name, fmt::format("`{}` has no node `{}` on its right side", rule.name, name.text), right_nodes(rule));
+    return {};
+  }
+
+  /// `r.c[d]`
+  ExprPtr check(ast::Index const& index, Span span) {
+    auto const* member = std::get_if<ast::Member>(&index.base->value);
+    auto const result = member ? find_result(*member->base) : std::nullopt;
+    if (!result) {
+      if (!check(*index.base)) return {};
+      return report(Code::type_mismatch, span, "an expression has nothing to index", {},
+                    {context_.operation ? "`[…]` selects from the result of a rule: `r.c[d]` is the copy of its right node `c` for the dart `d`"
+                                        : "`[…]` selects from the result of a rule, in an operation"});
+    }
+    ir::RuleScheme const& rule = called(variable(*result));
+    ExprPtr const at = check(*index.index);
+    if (at && at->type != ir::dart_type) {
+      return report(Code::not_a_dart, at->span, fmt::format("a copy is chosen by a dart of the pattern, this is {}", described(at->type)));
+    }
+    if (rule.hooks.empty() || rule.nodes[rule.hooks[0]].deleted()) {
+      std::string const why = rule.hooks.empty() ? "has no hook: there is one copy of each node"
+                                                 : fmt::format("deletes its hook `{}`, and with it the pattern", rule.nodes[rule.hooks[0]].name);
+      return report(Code::bad_result, span, fmt::format("`{}` {}", rule.name, why), {},
+                    {fmt::format("the copy for the hook's dart is `{}.{}`", result->name, member->name.text)});
+    }
+    return at ? copy(*result, member->name, at, span) : nullptr;
   }
 
   // ---- Reading the map ----
@@ -159,7 +270,8 @@ class Checker {
     if (!start || start->type == ir::dart_type) return start;
     return report(Code::not_a_dart, expr.span,
                   fmt::format("{} starts at a dart, this is {}", user, described(start->type)), {},
-                  {"a dart is a node of the left side, or where a path from one leads: `a`, `a@0`"});
+                  {context_.operation ? "a dart is a variable that holds one, a node of a rule's result, or where a path from one leads: `d`, `r.a`, `d@0`"
+                                      : "a dart is a node of the left side, or where a path from one leads: `a`, `a@0`"});
   }
 
   ExprPtr check(ast::Walk const& walk, Span span) {
@@ -219,6 +331,7 @@ class Checker {
       if (!orbit->by) over->by = common_orbit(*context_.group, over->orbit, spec.orbit);  // each value once
       return make(std::move(type), ir::Collect{*embedding, std::move(*over)}, span);
     }
+    if (auto const result = find_result(*member.base)) return copy(*result, member.name, nullptr, span);
     ExprPtr base = check(*member.base);
     if (!base) return {};
     if (base->type != ir::dart_type) return component(member, std::move(base), span);
@@ -287,12 +400,16 @@ class Checker {
 
   ExprPtr check(ast::Call const& call, Span span) {
     std::string const& name = call.function.text;
-    if (!call.dimensions.empty()) {
+    if (!call.dimensions.empty() && !(context_.operation && context_.operation->is_callee(name))) {
       return report(Code::unknown_function, call.function.span, fmt::format("`{}[…]` is not a function", name), {},
                     {"rules are applied by operations, not by expressions"});
     }
     std::optional<Builtin> const function = find_function(name);
     ir::ExternFunctionPtr const* const external = function ? nullptr : find_extern(name);
+    if (context_.operation && context_.operation->is_callee(name)) {
+      return report(Code::misplaced_call, call.function.span, fmt::format("`{}` may change the map, so it is not called within an expression", name), {},
+                    {fmt::format("call it before: `let r = {}(…);`", name)});
+    }
     if (!function && !external) return report_unknown_function(call.function);
     if (function == Builtin::count && context_.rule && call.arguments.size() == 1 && !call.arguments.front().name) {
       auto const* orbit = std::get_if<ast::OrbitOf>(&call.arguments.front().value->value);
@@ -351,7 +468,7 @@ class Checker {
     if (!context_.rule) return report_not_constant(comprehension.orbit->span);
     ir::ExternFunctionPtr const* const external = find_extern(comprehension.aggregate.text);
     auto const aggregate = external ? std::nullopt : find_aggregate(comprehension.aggregate);
-    auto over = range(*comprehension.orbit);
+    auto over = range(*comprehension.orbit, "a comprehension");
     if (!check_fresh(comprehension.variable)) return {};
     ir::Bound variable{variables_.size(), comprehension.variable.text};
     variables_.push_back(comprehension.variable);
@@ -396,16 +513,6 @@ class Checker {
                        [](Signature const& s) { return s.parameters.size() == 1 && s.parameters.front().list; });
   }
 
-  std::optional<ir::Darts> range(ast::Expr const& expr) {
-    if (auto const* orbit = std::get_if<ast::OrbitOf>(&expr.value)) return darts(*orbit);
-    if (ExprPtr const value = check(expr)) {
-      report(Code::type_mismatch, expr.span,
-             fmt::format("a comprehension ranges over an orbit, this is {}", described(value->type)), {},
-             {"an orbit is written with its type and a dart: `<1,2>(a)`, `<1,2>(a) by <1>`"});
-    }
-    return {};
-  }
-
   /// Is the name of a comprehension's variable new here? Reported if not.
   bool check_fresh(ast::Name const& name) {
     auto const meaning = find(name.text);
@@ -415,19 +522,17 @@ class Checker {
       labels.push_back({variables_[b->level].span, "first declared here"});
     } else if (auto const* n = std::get_if<ir::NodeDart>(&*meaning)) {
       labels.push_back({context_.rule->nodes[n->node].span(), "first declared here"});
+    } else if (auto const* v = std::get_if<ir::VariableRef>(&*meaning)) {
+      labels.push_back({variable(*v).span, "first declared here"});
     }
     std::string_view const what = std::holds_alternative<ir::ParameterRef>(*meaning) ? "a parameter"
                                   : std::holds_alternative<ir::LetRef>(*meaning)     ? "a `let`"
                                   : std::holds_alternative<ir::NodeDart>(*meaning)   ? "a node"
+                                  : std::holds_alternative<ir::VariableRef>(*meaning) ? "a variable"
                                                                                      : "the variable of a comprehension";
     report(Code::duplicate_name, name.span, fmt::format("`{}` is {} already", name.text, what), std::move(labels),
            {"a comprehension's variable has a name of its own"});
     return false;
-  }
-
-  ExprPtr check(ast::Index const&, Span span) {
-    return report(Code::type_mismatch, span, "an expression has nothing to index", {},
-                  {"`[…]` selects from the result of a rule, in an operation"});
   }
 
   ExprContext const& context_;
@@ -456,6 +561,10 @@ ExprPtr check_expression(ast::Expr const& expr, ExprContext const& context, std:
                          Diagnostics& diagnostics) {
   ExprPtr value = Checker(context, diagnostics).check(expr);
   return value && expected ? convert(std::move(value), *expected, diagnostics) : value;
+}
+
+std::optional<ir::Darts> check_darts(ast::Expr const& expr, ExprContext const& context, std::string const& user, Diagnostics& diagnostics) {
+  return Checker(context, diagnostics).range(expr, user);
 }
 
 }  // namespace jrule::sema

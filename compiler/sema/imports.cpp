@@ -21,6 +21,19 @@ std::vector<ImportedRule> imported_rules(Modules const& modules) {
   return rules;
 }
 
+std::vector<ImportedOperation> imported_operations(Modules const& modules) {
+  Items const items(modules);
+  std::vector<ImportedOperation> operations;
+  for (Module::Import const& import : modules.all.back().imports) {
+    Module const& module = modules.all[import.module];
+    for (ast::Item const& item : module.ast.items) {
+      auto const* const operation = std::get_if<ast::Operation>(&item);
+      if (operation && items.operation(operation->name.text) == operation) operations.push_back({operation, &module, import.span});
+    }
+  }
+  return operations;
+}
+
 source::Diagnostic told_at_import(source::Diagnostic found, source::Span import, std::string const& rule, std::string const& module,
                                   std::string const& modeler) {
   std::string const plain = rule.starts_with(modeler + ".") ? rule.substr(modeler.size() + 1) : rule;

@@ -18,6 +18,7 @@ class Items {
   ast::Model const* model(std::string const& name) const { return find<ast::Model>(name); }
   ast::Modeler const* modeler(std::string const& name) const { return find<ast::Modeler>(name); }
   ast::Rule const* rule(std::string const& name) const { return find<ast::Rule>(name); }
+  ast::Operation const* operation(std::string const& name) const { return find<ast::Operation>(name); }
   /// The module that declares the item.
   template <class T>
   std::string module_of(T const* item) const {

@@ -39,15 +39,20 @@ std::optional<std::string> nearest(std::string const& name, std::vector<std::str
   return best;
 }
 
-void report_unknown(source::Diagnostics& diagnostics, source::Code code, ast::Name const& name, std::string const& what,
-                    std::vector<std::string> const& known) {
-  source::Diagnostic d{.code = code, .span = name.span, .message = fmt::format("unknown {} `{}`", what, name.text)};
+void report_not_found(source::Diagnostics& diagnostics, source::Code code, ast::Name const& name, std::string message,
+                      std::vector<std::string> const& known) {
+  source::Diagnostic d{.code = code, .span = name.span, .message = std::move(message)};
   if (auto const close = nearest(name.text, known)) {
     d.fixits.push_back({name.span, *close, fmt::format("did you mean `{}`", *close)});
   } else if (!known.empty() && known.size() <= 12) {
     d.notes.push_back(fmt::format("known here: `{}`", fmt::join(known, "`, `")));
   }
   diagnostics.add(std::move(d));
+}
+
+void report_unknown(source::Diagnostics& diagnostics, source::Code code, ast::Name const& name, std::string const& what,
+                    std::vector<std::string> const& known) {
+  report_not_found(diagnostics, code, name, fmt::format("unknown {} `{}`", what, name.text), known);
 }
 
 }  // namespace jrule::sema

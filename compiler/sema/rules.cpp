@@ -9,8 +9,7 @@
 #include "compiler/algebra/group.h"
 #include "compiler/sema/expressions.h"
 #include "compiler/sema/names.h"
-#include "compiler/sema/types.h"
-#include "compiler/sema/units.h"
+#include "compiler/sema/parameters.h"
 
 namespace jrule::sema {
 
@@ -50,25 +49,8 @@ struct RuleElaboration {
   // ---- Parameters ----
 
   void add_parameters() {
-    for (ast::Parameter const& p : declared.parameters) {
-      auto const [first, fresh] = values_declared.emplace(p.name.text, p.name.span);
-      if (!fresh) {
-        report(Code::duplicate_name, p.name.span, fmt::format("the parameter `{}` is declared twice", p.name.text), {{first->second, "first declared here"}});
-      }
-      auto [unit, doc] = split_unit(p.doc);
-      ir::Parameter parameter{
-          .name = p.name.text, .default_value = {}, .doc = std::move(doc), .unit = std::move(unit), .span = p.name.span};
-      if (auto const type = resolve_stored_type(p.type, externs, diagnostics)) {
-        parameter.type = type->element;
-        parameter.external = type->external;
-        if (p.default_value) {
-          auto const value = evaluate_default(*p.default_value, *type, externs, diagnostics);
-          parameter.default_value = value ? value->value : std::nullopt;
-          parameter.computed_default = value ? value->computed : nullptr;
-        }
-      }
-      rule.parameters.push_back(std::move(parameter));
-    }
+    rule.parameters = elaborate_parameters(declared.parameters, Darts::refused, externs, diagnostics);
+    for (ast::Parameter const& p : declared.parameters) values_declared.emplace(p.name.text, p.name.span);
   }
 
   // ---- Nodes ----

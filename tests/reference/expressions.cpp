@@ -78,6 +78,8 @@ struct Evaluator {
   }
   Evaluated evaluate(ir::ParameterRef const&) { throw std::invalid_argument("a parameter"); }
   Evaluated evaluate(ir::LetRef const&) { throw std::invalid_argument("a let"); }
+  Evaluated evaluate(ir::VariableRef const&) { throw std::invalid_argument("a variable of an operation"); }
+  Evaluated evaluate(ir::CopyOf const&) { throw std::invalid_argument("a copy, in an operation"); }
   Evaluated evaluate(ir::Call const&) { throw std::invalid_argument("an extern function"); }
 
   /// The first dart met of each ⟨by⟩-orbit inside the orbit.

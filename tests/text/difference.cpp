@@ -86,6 +86,11 @@ struct Expressions {
            std::equal(a.arguments.begin(), a.arguments.end(), b.arguments.begin(), b.arguments.end(),
                       [&](ir::ExprPtr const& x, ir::ExprPtr const& y) { return same(*x, *y); });
   }
+  bool same(ir::VariableRef const& a, ir::VariableRef const& b) const { return a.index == b.index && a.name == b.name; }
+  bool same(ir::CopyOf const& a, ir::CopyOf const& b) const {
+    bool const same_at = !a.at == !b.at && (!a.at || same(*a.at, *b.at));
+    return same(a.result, b.result) && a.node_name == b.node_name && same_at;
+  }
   bool same(ir::Conditional const& a, ir::Conditional const& b) const {
     return same(*a.condition, *b.condition) && same(*a.then_value, *b.then_value) && same(*a.else_value, *b.else_value);
   }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compiler/analysis/analyze.h"
-#include "compiler/ir/rule_scheme.h"
+#include "compiler/ir/program.h"
 #include "compiler/source/diagnostic.h"
 
 namespace jrule::cpp {

@@ -58,6 +58,8 @@ struct Printer {
     return {f().variables.at(b.name)};
   }
   Code print_node(ir::Walk const& w) const { return {f().walk(print(*w.from).text, w.path)}; }
+  Code print_node(ir::VariableRef const&) const { throw std::logic_error("a rule reads a variable of an operation"); }
+  Code print_node(ir::CopyOf const&) const { throw std::logic_error("a rule reads the result of another one"); }
   // The arguments that say which darts: "walk_1_2_by_1, a".
   std::string darts(ir::Darts const& d) const {
     return fmt::format("{}, {}", f().walks.at({d.orbit, d.by}), print(*d.at).text);

@@ -157,6 +157,15 @@ class Speller {
     return let.name;
   }
 
+  // ---- Variables of operations ----
+
+  std::string spell(ir::VariableRef const& variable, ExprType const&, Level&) { return variable.name; }
+  std::string spell(ir::CopyOf const& copy, ExprType const& type, Level&) {
+    expect_type(type, ir::dart_type);
+    std::string const at = copy.at ? fmt::format("[{}]", dart(*copy.at, conditional)) : "";
+    return fmt::format("{}.{}{}", copy.result.name, copy.node_name, at);
+  }
+
   // ---- Darts ----
 
   template <class Declared>

@@ -5,7 +5,7 @@
 
 #include <tl/expected.hpp>
 
-#include "compiler/ir/rule_scheme.h"
+#include "compiler/ir/program.h"
 
 namespace jrule::text {
 
