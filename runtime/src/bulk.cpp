@@ -32,6 +32,20 @@ Applications all_applications(Map const& map, OrbitType const& type) {
   return all;
 }
 
+Applications applications_within(Map const& map, OrbitType const& type, OrbitType const& within, Dart d) {
+  Applications found{orbit(map, within, d), {}, {}};
+  std::sort(found.pattern.begin(), found.pattern.end());
+  found.number.assign(found.pattern.size(), no_orbit);
+  auto const index = [&](Dart at) { return std::lower_bound(found.pattern.begin(), found.pattern.end(), at) - found.pattern.begin(); };
+  for (std::size_t k = 0; k < found.pattern.size(); ++k) {
+    if (found.number[k] != no_orbit) continue;
+    auto const number = static_cast<Index>(found.first.size());
+    found.first.push_back(static_cast<Index>(k));
+    for (Dart const at : orbit(map, type, found.pattern[k])) found.number[static_cast<std::size_t>(index(at))] = number;
+  }
+  return found;
+}
+
 Applications without(Applications const& all, std::vector<bool> const& refused) {
   Applications kept;
   std::vector<Index> number(all.count());  // the new one of each

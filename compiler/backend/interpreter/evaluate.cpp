@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "jrule/operation.h"
+
 namespace jrule::interpreter {
 
 namespace {
@@ -15,7 +17,11 @@ struct Reader {
   ir::Evaluated evaluate(ir::Expr const& expr) {
     return ir::evaluate(expr, [this](ir::Expr const& leaf) { return std::visit(*this, leaf.value); });
   }
-  Dart dart(ir::ExprPtr const& expr) { return std::get<Dart>(evaluate(*expr)); }
+  // Where the map is read.
+  Dart dart(ir::ExprPtr const& expr) {
+    Dart const d = std::get<Dart>(evaluate(*expr));
+    return scene.locals ? operation::alive(scene.map, d, scene.locals->operation) : d;
+  }
   std::vector<Dart> darts(ir::Darts const& d) { return rewrite::representatives(scene.map, d.orbit, d.by, dart(d.at)); }
 
   ir::Evaluated operator()(ir::ParameterRef const& p) { return scene.arguments[p.index]; }
@@ -42,6 +48,14 @@ struct Reader {
       bound.pop_back();
     }
     return values;
+  }
+  ir::Evaluated operator()(ir::VariableRef const& v) { return std::get<ir::Evaluated>(scene.locals->variables[v.index]); }
+  ir::Evaluated operator()(ir::CopyOf const& c) {
+    auto const& result = std::get<CallResult>(scene.locals->variables[c.result.index]);
+    std::vector<Dart> const& copies = result.copies[c.node];
+    if (!c.at) return copies.front();  // of the hook's dart
+    Dart const at = std::get<Dart>(evaluate(*c.at));
+    return operation::copy_for(result.pattern, copies, at, scene.locals->operation, c.result.name + "." + c.node_name);
   }
   template <class Other>
   ir::Evaluated operator()(Other const&) {

@@ -2,12 +2,26 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "compiler/ir/evaluate.h"
 #include "jrule/rewrite.h"
 
 namespace jrule::interpreter {
+
+/// What a variable of an operation holds; nothing before it is declared.
+struct CallResult {
+  std::size_t rule;                       ///< in the program
+  std::vector<Dart> pattern;              ///< empty if the rule deletes its hook, or has none
+  std::vector<std::vector<Dart>> copies;  ///< by node
+};
+using Local = std::variant<std::monostate, ir::Evaluated, CallResult>;
+struct Locals {
+  std::string const& operation;
+  std::vector<Local> variables;
+};
 
 /// Where an expression is evaluated: m(u_k, s) for each left node s.
 struct Scene {
@@ -16,6 +30,7 @@ struct Scene {
   std::vector<std::vector<Dart>> const& match;  ///< by node, then pattern dart
   std::span<Value const> arguments;
   std::span<ir::Evaluated const> lets;          ///< those evaluated so far
+  Locals const* locals = nullptr;               ///< in an operation: what it reads must be in the map, or operation::Failure is thrown
 };
 
 ir::Evaluated evaluate(ir::Expr const& expr, Scene const& scene, rewrite::Index k);

@@ -142,12 +142,9 @@ struct Application {
     return {};
   }
 
-  // Matches the rule at every orbit of its hook, keeps the applications where it applies, and says how many they are.
-  std::size_t find_all_matches() {
+  // Matches the rule at these orbits of its hook, keeps the applications where it applies, and says how many they are.
+  std::size_t find_all_matches(rewrite::Applications all) {
     workspace.begin();
-    OrbitType type;
-    for (Letter const letter : rule.hook_type) type.words.push_back({letter});
-    rewrite::Applications all = rewrite::all_applications(map, type);
     auto const use_pattern = [&] {
       pattern = all.pattern;
       number = all.number;
@@ -392,17 +389,23 @@ Result<std::size_t> apply_everywhere(ir::RuleScheme const& rule, analysis::Plan 
   });
 }
 
-Result<std::size_t> apply_all(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map,
-                              std::vector<Value> const& arguments, rewrite::Workspace& workspace, Threads threads) {
-  if (auto const checked = check_input(rule, map, 1, arguments.size()); !checked) return tl::unexpected(checked.error());
+namespace {
+
+// `find` gives the orbits of the hook, of which there is at least one.
+Result<std::size_t> apply_at_once(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map, std::vector<Value> const& arguments,
+                                  rewrite::Workspace& workspace, Threads threads,
+                                  std::function<rewrite::Applications(OrbitType const&)> const& find) {
   return or_no_memory<std::size_t>(rule, [&]() -> Result<std::size_t> {
-    if (map.dart_count() == 0) return std::size_t{0};
+    OrbitType type;
+    for (Letter const letter : rule.hook_type) type.words.push_back({letter});
+    rewrite::Applications applications = find(type);
+    Dart const first_dart = applications.pattern.front();
     Application all{rule, plan, map, arguments, workspace, threads};
-    std::size_t const count = all.find_all_matches();
+    std::size_t const count = all.find_all_matches(std::move(applications));
     if (count == 0) {
       // Why not: what the first orbit alone says.
       Application first{rule, plan, map, arguments, workspace};
-      if (auto const matched = first.find_match({map.darts().front()}); !matched) return tl::unexpected(matched.error());
+      if (auto const matched = first.find_match({first_dart}); !matched) return tl::unexpected(matched.error());
       if (auto const met = first.check_requirements(); !met) return tl::unexpected(met.error());
       throw std::logic_error(fmt::format("`{}` applies at one orbit, but not among all", rule.name));
     }
@@ -410,6 +413,23 @@ Result<std::size_t> apply_all(ir::RuleScheme const& rule, analysis::Plan const& 
     all.commit(all.reserve());
     return count;
   });
+}
+
+}  // namespace
+
+Result<std::size_t> apply_all(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map,
+                              std::vector<Value> const& arguments, rewrite::Workspace& workspace, Threads threads) {
+  if (auto const checked = check_input(rule, map, 1, arguments.size()); !checked) return tl::unexpected(checked.error());
+  if (map.dart_count() == 0) return std::size_t{0};
+  return apply_at_once(rule, plan, map, arguments, workspace, threads,
+                       [&](OrbitType const& type) { return rewrite::all_applications(map, type); });
+}
+
+Result<std::size_t> apply_all_within(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map, OrbitType const& within, Dart d,
+                                     std::vector<Value> const& arguments, rewrite::Workspace& workspace) {
+  if (auto const checked = check_input(rule, map, 1, arguments.size()); !checked) return tl::unexpected(checked.error());
+  return apply_at_once(rule, plan, map, arguments, workspace, Threads{},
+                       [&](OrbitType const& type) { return rewrite::applications_within(map, type, within, d); });
 }
 
 }  // namespace jrule::interpreter

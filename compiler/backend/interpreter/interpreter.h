@@ -37,4 +37,9 @@ Result<std::size_t> apply_everywhere(ir::RuleScheme const& rule, analysis::Plan 
 Result<std::size_t> apply_all(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map,
                               std::vector<Value> const& arguments, rewrite::Workspace& workspace, Threads threads = {});
 
+/// The same at the orbits of its hook inside ⟨within⟩(d), of which the hook's type is a subgroup; `d` must be in the map.
+/// O(darts of that orbit and of the result), up to a logarithm.
+Result<std::size_t> apply_all_within(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map, OrbitType const& within, Dart d,
+                                     std::vector<Value> const& arguments, rewrite::Workspace& workspace);
+
 }  // namespace jrule::interpreter

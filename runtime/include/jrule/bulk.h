@@ -24,6 +24,9 @@ struct Applications {
 /// One application for each ⟨type⟩-orbit of the map, `type` being the hook's. O(darts · words).
 Applications all_applications(Map const& map, OrbitType const& type);
 
+/// The same for those inside ⟨within⟩(d), of which the hook's type must be a subgroup. O(orbit · (words + log orbit)).
+Applications applications_within(Map const& map, OrbitType const& type, OrbitType const& within, Dart d);
+
 /// Those that are not refused (one flag for each), in the same order. O(|P|).
 Applications without(Applications const& all, std::vector<bool> const& refused);
 /// The match column of what without() keeps, from that of all.

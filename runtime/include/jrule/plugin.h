@@ -29,13 +29,14 @@ extern "C" {
 
 enum {
   JRULE_OK = 0,
-  JRULE_NOT_APPLICABLE = 1, /* the rule does not match there */
+  JRULE_NOT_APPLICABLE = 1, /* the rule does not match there, or the operation fails */
   JRULE_BAD_INPUT = 2,      /* what a file holds */
   JRULE_IO = 3,             /* a file cannot be read or written */
   JRULE_NO_MEMORY = 4,
   JRULE_BAD_ARGUMENT = 5, /* of the function that was called */
   JRULE_CANCELLED = 6,    /* the host's `report` asked for it */
-  JRULE_THROWN = 7        /* C++ code that the rules call from outside threw an exception */
+  JRULE_THROWN = 7,       /* C++ code that the rules call from outside threw an exception */
+  JRULE_LIMIT = 8         /* operations call each other too deeply */
 };
 
 /* Belongs to the caller. Every function takes a null pointer instead. */

@@ -10,10 +10,12 @@ namespace jrule {
 
 struct Error {
   enum class Kind {
-    not_applicable,  ///< a rule's left side does not match there; the map is as it was
+    not_applicable,  ///< a rule's left side does not match there, or an operation fails; the map is as it was
     bad_input,       ///< a file's content, an argument
     io,              ///< a file cannot be read or written
     no_memory,       ///< more darts than the index type or the memory holds; the map is as it was
+    limit,           ///< operations call each other too deeply; the map is as it was
+    cancelled,       ///< an operation was cancelled by its caller; the map is as it was
   };
   Kind kind = Kind::bad_input;
   std::string message;   ///< lower case, no full stop

@@ -28,6 +28,8 @@ std::int32_t code_of(Error::Kind kind) noexcept {
     case Error::Kind::bad_input: return JRULE_BAD_INPUT;
     case Error::Kind::io: return JRULE_IO;
     case Error::Kind::no_memory: return JRULE_NO_MEMORY;
+    case Error::Kind::limit: return JRULE_LIMIT;
+    case Error::Kind::cancelled: return JRULE_CANCELLED;
   }
   return JRULE_BAD_INPUT;
 }
