@@ -1,16 +1,13 @@
 #include <fmt/format.h>
 
-#include <stdexcept>
-
 #include "compiler/analysis/independence.h"
-#include "compiler/backend/draw/draw.h"
 #include "compiler/backend/interpreter/interpreter.h"
 #include "compiler/driver/arguments.h"
 #include "compiler/driver/compile.h"
+#include "compiler/driver/outcome.h"
 #include "compiler/driver/reference.h"
 #include "compiler/driver/report.h"
 #include "compiler/driver/selection.h"
-#include "compiler/driver/summary.h"
 #include "compiler/ir/extern_use.h"
 #include "jrule/io.h"
 
@@ -61,11 +58,6 @@ Result<void> apply_at(ir::RuleScheme const& rule, analysis::Plan const& plan, Ma
   if (!applied) return tl::unexpected(applied.error());
   count = 1;
   return {};
-}
-
-int report_error(Error const& error) {
-  print_error(error);
-  return error.kind == Error::Kind::not_applicable ? exit_refused : exit_usage;
 }
 
 // The rule among those elaborated already, or one of its dimensions.
@@ -126,23 +118,8 @@ int apply(ApplyOptions const& options) {
   Threads const threads = options.threads == 0 ? Threads::all() : Threads{options.threads};
   std::size_t count = 0;
   if (auto const applied = apply_at(rule, chosen->plan, *map, options.at, *values, threads, count); !applied) return report_error(applied.error());
-  // The analysis has proved that this cannot be; the output is checked all the same, since a fault here must not spread.
-  if (auto const violation = find_violation(*map)) {
-    throw std::logic_error(fmt::format("applying the accepted rule `{}` broke the map: {}", rule.name, violation->text));
-  }
-  if (!options.picture.empty()) {
-    auto const picture = draw::surface_svg(*map);
-    if (!picture) return report_error(picture.error());
-    if (auto const written = write_whole_file(options.picture, *picture); !written) return report_error(written.error());
-  }
-  if (auto const written = write_map(*map, options.out); !written) return report_error(written.error());
-  Summary const summary = summarize(*map);
-  if (options.stats_json) {
-    fmt::print("{}\n", summary_json(summary));
-  } else {
-    fmt::print("{}: applied {}\n{}", rule.name, count == 1 ? "once" : fmt::format("{} times", count), summary_text(summary));
-  }
-  return exit_ok;
+  return write_outcome(*map, {options.out, options.picture, options.stats_json}, fmt::format("applying the accepted rule `{}`", rule.name),
+                       fmt::format("{}: applied {}", rule.name, count == 1 ? "once" : fmt::format("{} times", count)));
 }
 
 }  // namespace jrule::driver

@@ -75,6 +75,22 @@ int run(int argc, char const* const* argv) {
     status = apply_options.plugin.empty() ? apply(apply_options) : apply_plugin(apply_options);
   });
 
+  RunOptions run_options;
+  std::string run_stats;
+  CLI::App& run_command = *app.add_subcommand("run", "run an operation");
+  add_common(run_command, run_options.common);
+  run_command.add_option("OPERATION", run_options.operation, "FILE:OPERATION, e.g. solid.jrule:house")->required();
+  run_command.add_option("--in", run_options.in, "mesh: .obj .off .ply .stl .jmap; without it, an empty map")->type_name("MESH");
+  run_command.add_option("--out", run_options.out, "mesh to write")->type_name("MESH")->required();
+  run_command.add_option("--at", run_options.at, "a dart for each parameter that is one: dart:N, vertex:N, edge:N, face:N, volume:N; dart:3,dart:17")->type_name("SEL");
+  run_command.add_option("--picture", run_options.picture, "draw the result")->type_name("SVG");
+  run_command.add_option("--stats", run_stats, "print counts of the result as json")->check(CLI::IsMember({"json"}))->type_name("json");
+  run_command.add_option("NAME=VALUE", run_options.values, "the other parameters, e.g. side=2");
+  run_command.callback([&] {
+    run_options.stats_json = !run_stats.empty();
+    status = run(run_options);
+  });
+
   InfoOptions info_options;
   std::string info_stats;
   CLI::App& info_command = *app.add_subcommand("info", "count the cells of a mesh and check it; or list what a plugin offers");
@@ -100,7 +116,7 @@ int run(int argc, char const* const* argv) {
   explain_command.add_option("CODE", explain_options.code, "e.g. J0302; without it, all codes are listed");
   explain_command.callback([&] { status = explain(explain_options); });
 
-  for (char const* const name : {"run", "lsp"}) {
+  for (char const* const name : {"lsp"}) {
     CLI::App& command = *app.add_subcommand(name, "not yet implemented");
     command.allow_extras();
     command.callback([&status, name] { status = not_implemented(name); });

@@ -61,6 +61,17 @@ int apply(ApplyOptions const& options);
 /// Of a rule of a plugin.
 int apply_plugin(ApplyOptions const& options);
 
+struct RunOptions {
+  Common common;
+  std::string operation;  ///< FILE:OPERATION
+  std::string in, out;
+  std::string at;       ///< a dart for each parameter that is one
+  std::string picture;  ///< an SVG of the result; empty: none
+  std::vector<std::string> values;  ///< NAME=VALUE
+  bool stats_json = false;
+};
+int run(RunOptions const& options);
+
 struct InfoOptions {
   std::string mesh;  ///< or a plugin
   std::string model = "gmap";  ///< for surface formats: gmap, omap, dual_omap, closed_gmap

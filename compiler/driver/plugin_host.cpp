@@ -19,6 +19,8 @@ Error to_error(jrule_error const& error) {
       case JRULE_NOT_APPLICABLE: return Error::Kind::not_applicable;
       case JRULE_IO: return Error::Kind::io;
       case JRULE_NO_MEMORY: return Error::Kind::no_memory;
+      case JRULE_CANCELLED: return Error::Kind::cancelled;
+      case JRULE_LIMIT: return Error::Kind::limit;
       default: return Error::Kind::bad_input;
     }
   };
