@@ -50,11 +50,16 @@ std::size_t Map::reserve_darts(std::size_t count, Threads threads) {
   std::size_t capacity = columns_[0].targets.capacity();
   if (limit > capacity) capacity = std::max(limit, 2 * capacity);
   for (std::size_t k = 0; k < columns_.size(); ++k) {
-    reserve(columns_[k].targets, capacity, threads);
-    if (model_.is_oriented(model_.dimensions[k])) reserve(columns_[k].sources, capacity, threads);
+    jrule::reserve(columns_[k].targets, capacity, threads);
+    if (model_.is_oriented(model_.dimensions[k])) jrule::reserve(columns_[k].sources, capacity, threads);
   }
   for (Embedding& e : embeddings_) e.reserve(capacity, threads);
   return limit;
+}
+
+void Map::reserve(std::size_t darts, std::size_t values) {
+  (void)reserve_darts(darts - std::min(darts, free_.size()), {});
+  for (Embedding& e : embeddings_) e.reserve_values(values);
 }
 
 std::vector<Dart> Map::add_darts(std::size_t count) {

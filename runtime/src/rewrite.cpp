@@ -283,8 +283,15 @@ Error requirement_failed(std::string_view rule, std::string_view condition, std:
   return not_applicable(std::move(message));
 }
 
-Error no_memory(std::string_view rule) {
-  return {Error::Kind::no_memory, fmt::format("`{}` is not applied: there is not enough memory for its result", rule), {}, 0};
+Error no_memory(std::string_view rule) noexcept {
+  Error error{Error::Kind::no_memory, {}, {}, 0};
+  try {
+    error.message = fmt::format("`{}` is not applied: there is not enough memory for its result", rule);
+  } catch (std::bad_alloc const&) {
+    // Not even for that. So short a text takes none.
+    error.message = "out of memory";
+  }
+  return error;
 }
 
 }  // namespace jrule::rewrite

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <new>
 #include <span>
 #include <stdexcept>
@@ -351,8 +350,9 @@ Result<void> check_input(ir::RuleScheme const& rule, Map const& map, std::size_t
   return fail(Error::Kind::bad_input, fmt::format("`{}` takes {} darts and {} values", rule.name, rule.hooks.size(), rule.parameters.size()));
 }
 
-template <class T>
-Result<T> or_no_memory(ir::RuleScheme const& rule, std::function<Result<T>()> const& apply) {
+// All of an application goes through it, the check of its input too: whatever takes memory.
+template <class Apply>
+auto or_no_memory(ir::RuleScheme const& rule, Apply const& apply) -> decltype(apply()) {
   try {
     return apply();
   } catch (std::bad_alloc const&) {
@@ -366,8 +366,8 @@ Result<T> or_no_memory(ir::RuleScheme const& rule, std::function<Result<T>()> co
 
 Result<Applied> apply(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map, std::vector<Dart> const& hooks,
                       std::vector<Value> const& arguments, rewrite::Workspace& workspace) {
-  if (auto const checked = check_input(rule, map, hooks.size(), arguments.size()); !checked) return tl::unexpected(checked.error());
-  return or_no_memory<Applied>(rule, [&]() -> Result<Applied> {
+  return or_no_memory(rule, [&]() -> Result<Applied> {
+    if (auto const checked = check_input(rule, map, hooks.size(), arguments.size()); !checked) return tl::unexpected(checked.error());
     Application application{rule, plan, map, arguments, workspace};
     if (auto const matched = application.find_match(hooks); !matched) return tl::unexpected(matched.error());
     if (auto const met = application.check_requirements(); !met) return tl::unexpected(met.error());
@@ -380,22 +380,26 @@ Result<Applied> apply(ir::RuleScheme const& rule, analysis::Plan const& plan, Ma
 
 Result<std::size_t> apply_everywhere(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map,
                                      std::vector<Value> const& arguments, rewrite::Workspace& workspace) {
-  OrbitType type;
-  for (Letter const letter : rule.hook_type) type.words.push_back({letter});
-  return rewrite::apply_everywhere(map, type, [&](Dart d) -> Result<void> {
-    auto const applied = apply(rule, plan, map, {d}, arguments, workspace);
-    if (!applied) return tl::unexpected(applied.error());
-    return {};
+  return or_no_memory(rule, [&] {
+    OrbitType type;
+    for (Letter const letter : rule.hook_type) type.words.push_back({letter});
+    return rewrite::apply_everywhere(map, type, [&](Dart d) -> Result<void> {
+      auto const applied = apply(rule, plan, map, {d}, arguments, workspace);
+      if (!applied) return tl::unexpected(applied.error());
+      return {};
+    });
   });
 }
 
 namespace {
 
-// `find` gives the orbits of the hook, of which there is at least one.
+// `find` gives the orbits of the hook, of which there is at least one if the map has darts.
+template <class Find>
 Result<std::size_t> apply_at_once(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map, std::vector<Value> const& arguments,
-                                  rewrite::Workspace& workspace, Threads threads,
-                                  std::function<rewrite::Applications(OrbitType const&)> const& find) {
-  return or_no_memory<std::size_t>(rule, [&]() -> Result<std::size_t> {
+                                  rewrite::Workspace& workspace, Threads threads, Find const& find) {
+  return or_no_memory(rule, [&]() -> Result<std::size_t> {
+    if (auto const checked = check_input(rule, map, 1, arguments.size()); !checked) return tl::unexpected(checked.error());
+    if (map.dart_count() == 0) return std::size_t{0};
     OrbitType type;
     for (Letter const letter : rule.hook_type) type.words.push_back({letter});
     rewrite::Applications applications = find(type);
@@ -419,15 +423,12 @@ Result<std::size_t> apply_at_once(ir::RuleScheme const& rule, analysis::Plan con
 
 Result<std::size_t> apply_all(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map,
                               std::vector<Value> const& arguments, rewrite::Workspace& workspace, Threads threads) {
-  if (auto const checked = check_input(rule, map, 1, arguments.size()); !checked) return tl::unexpected(checked.error());
-  if (map.dart_count() == 0) return std::size_t{0};
   return apply_at_once(rule, plan, map, arguments, workspace, threads,
                        [&](OrbitType const& type) { return rewrite::all_applications(map, type); });
 }
 
 Result<std::size_t> apply_all_within(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map, OrbitType const& within, Dart d,
                                      std::vector<Value> const& arguments, rewrite::Workspace& workspace) {
-  if (auto const checked = check_input(rule, map, 1, arguments.size()); !checked) return tl::unexpected(checked.error());
   return apply_at_once(rule, plan, map, arguments, workspace, Threads{},
                        [&](OrbitType const& type) { return rewrite::applications_within(map, type, within, d); });
 }

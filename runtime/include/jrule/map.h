@@ -71,6 +71,9 @@ class Map {
   /// Appends `count` darts, the first of which it returns, without setting their arcs and handles: the caller sets every one.
   /// Strong guarantee; throws as add_darts().
   Dart append_darts(std::size_t count, Threads threads = {});
+  /// Room for so many further darts, and for so many further values of each embedding: adding them takes no memory. Strong
+  /// guarantee; throws as add_darts(). Scratch memory has room of its own: rewrite::Workspace::reserve().
+  void reserve(std::size_t darts, std::size_t values);
   bool has_erased_darts() const noexcept { return !free_.empty(); }
   /// Undoes the last add_darts(): `added` is what it returned, `limit` what dart_limit() was before. Nothing may refer to
   /// the darts any more.

@@ -172,6 +172,7 @@ struct HookDart {
 };
 /// `condition` as it is written; `hooks` where it does not hold, none if it is the same everywhere.
 Error requirement_failed(std::string_view rule, std::string_view condition, std::vector<HookDart> const& hooks);
-Error no_memory(std::string_view rule);
+/// Also where there is no memory for its message: then that is a shorter one.
+Error no_memory(std::string_view rule) noexcept;
 
 }  // namespace jrule::rewrite
