@@ -168,20 +168,26 @@ void enter_surfaces(Contest& contest, std::string const& name) {
         return dual;
       },
       counted);
-  enter(
-      Work::single_faces,
-      [](Row const& row) {
-        Input<Map> in = make<Maps, Map>(*row.surface);
-        std::vector<Handle<Map>> sampled;
-        for (std::uint32_t const f : sample_faces(*row.surface, single_face_count + 1)) sampled.push_back(in.face[f]);
-        in.map->template insert_barycenter_in_cell<2>(sampled.back());
-        sampled.pop_back();
-        in.face = std::move(sampled);
-        return in;
-      },
-      [](Input<Map>& in) {
-        for (auto const f : in.face) in.map->template insert_barycenter_in_cell<2>(f);
-      });
+  auto const enter_single_faces = [&]<class Any>(Work work, Input<Any> const*, auto triangulate) {
+    enter(
+        work,
+        [triangulate](Row const& row) {
+          Input<Any> in = make<Maps, Any>(*row.surface);
+          std::vector<Handle<Any>> sampled;
+          for (std::uint32_t const f : sample_faces(*row.surface, single_face_count + 1)) sampled.push_back(in.face[f]);
+          triangulate(*in.map, sampled.back());
+          sampled.pop_back();
+          in.face = std::move(sampled);
+          return in;
+        },
+        [triangulate](Input<Any>& in) {
+          for (auto const f : in.face) triangulate(*in.map, f);
+        });
+  };
+  enter_single_faces(Work::single_faces, static_cast<Input<Map>*>(nullptr),
+                     [](Map& map, Handle<Map> f) { map.template insert_barycenter_in_cell<2>(f); });
+  enter_single_faces(Work::single_faces_topology, static_cast<Input<Bare>*>(nullptr),
+                     [](Bare& map, Handle<Bare> f) { map.insert_cell_0_in_cell_2(f); });
 }
 
 /// A block of cubes; a dart of each.

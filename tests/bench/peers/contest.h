@@ -27,6 +27,7 @@ enum class Work {
   dual,
   check,
   single_faces,
+  single_faces_topology,
   build_block,
   sew_block,
   check_block,
@@ -36,7 +37,7 @@ enum class Work {
 /// The rows that a contender takes part in: not the large ones, if it would take too long.
 enum class Size { any, small };
 
-/// How many faces Work::single_faces triangulates, one after the other, and one before, so that all is warm.
+/// How many faces Work::single_faces and single_faces_topology triangulate, one after the other, and one before, so that all is warm.
 inline constexpr std::size_t single_face_count = 10000;
 /// The block has so many hexahedra along each side.
 inline constexpr std::size_t block_side = 40;
@@ -56,6 +57,7 @@ struct Row {
   std::array<std::size_t, 4> cells;        ///< that the result must have
   std::size_t darts_per_gmap = 0;          ///< that the result must have as a G-map
   std::size_t bytes = 0;                   ///< that must move: see rows.cpp
+  std::size_t result_bytes = 0;            ///< of these, those of the result
   bool large = false;
   bool count_cells = true;  ///< of a large result only where no smaller one shows that the work is done right
 };
@@ -141,7 +143,7 @@ void enter_cgal_cmap(Contest& contest);
 void enter_cgal_surface_mesh(Contest& contest);
 void enter_openmesh(Contest& contest);
 void enter_opensubdiv(Contest& contest);
-/// The roofline: as many bytes as the row must move, copied.
+/// The roofline: as many bytes as the row must move, copied; where the row is large, the result into pages never touched before.
 void enter_copy(Contest& contest);
 /// The column of that name is the one that others are compared with.
 inline constexpr char const* ours = "G-map";

@@ -46,13 +46,13 @@ class Column {
 
   /// The rule at the faces of a sample in turn.
   template <class Rule>
-  void enter_single_faces(Rule rule) const {
+  void enter_single_faces(Work work, Rule rule) const {
     struct Sampled {
       Modeler mesh;
       std::vector<Dart> at;
     };
     contest_.enter(
-        name_, darts_per_edge, Work::single_faces,
+        name_, darts_per_edge, work,
         [originals = originals_, rule](Row const& row) {
           Sampled sampled{fresh(originals, row), {}};
           for (std::uint32_t const f : sample_faces(*row.surface, single_face_count + 1)) {
@@ -121,12 +121,15 @@ Column<mesh::HalfedgeMesh> enter_omap(Contest& contest, std::string const& name,
 void enter_generated(Contest& contest) {
   Column<mesh::Mesh> const gmap = enter_gmap(contest, ours, {1});
   gmap.enter_check();
-  gmap.enter_single_faces(AT_ONE(surface::triangulate_face));
+  gmap.enter_single_faces(Work::single_faces, AT_ONE(surface::triangulate_face));
+  Column<topology::Surface>(contest, ours, {1}).enter_single_faces(Work::single_faces_topology, AT_ONE(topology::triangulate_face));
   enter_gmap(contest, "G, 2 threads", {2});
 
   Column<mesh::HalfedgeMesh> const omap = enter_omap(contest, "O-map", {1});
   omap.enter_check();
-  omap.enter_single_faces(AT_ONE(surface::triangulate_face_halfedges));
+  omap.enter_single_faces(Work::single_faces, AT_ONE(surface::triangulate_face_halfedges));
+  Column<topology::Halfedges>(contest, "O-map", {1})
+      .enter_single_faces(Work::single_faces_topology, AT_ONE(topology::triangulate_face_halfedges));
   enter_omap(contest, "O, 2 threads", {2});
 }
 

@@ -18,7 +18,8 @@ char const* label(Work work) {
     case Work::edge_vertices: return "vertex on edges";
     case Work::dual: return "dual";
     case Work::check: return "check";
-    case Work::single_faces: return "10000 single faces";
+    case Work::single_faces: return "10000 faces, positions";
+    case Work::single_faces_topology: return "10000 faces, topology";
     case Work::build_block: return "build";
     case Work::sew_block: return "sew";
     case Work::check_block: return "check";
@@ -34,11 +35,13 @@ std::size_t size(std::size_t darts, std::size_t dimensions, std::optional<std::s
   return darts * dimensions * arc + (values ? darts * handle + *values * position : 0);
 }
 
+bool is_single(Work work) { return work == Work::single_faces || work == Work::single_faces_topology; }
+
 Row row(Work work, std::shared_ptr<Surface const> const& surface) {
   std::size_t const v = surface->points.size(), c = surface->corner_count(), e = c / 2, f = surface->face_count();
   Row row{work,    label(work),  surface->name,
           surface, {v, e, f, 0}, 4 * e,
-          0,       f >= 200000,  f < 200000 || work == Work::single_faces};
+          0,       0, f >= 200000,  f < 200000 || is_single(work)};
   auto const input = [&](bool positions) { return size(4 * e, 3, positions ? std::optional(v) : std::nullopt); };
   switch (work) {
     case Work::quad:
@@ -47,7 +50,8 @@ Row row(Work work, std::shared_ptr<Surface const> const& surface) {
     case Work::triangulate: row.cells = {v + f, e + c, c, 0}; break;
     case Work::edge_vertices: row.cells = {v + e, 2 * e, f, 0}; break;
     case Work::dual: row.cells = {f, e, v, 0}; break;
-    case Work::single_faces: {
+    case Work::single_faces:
+    case Work::single_faces_topology: {
       std::size_t corners = 0, faces = 0;
       for (std::uint32_t const s : sample_faces(*surface, single_face_count + 1)) {
         corners += surface->first[s + 1] - surface->first[s];
@@ -55,7 +59,9 @@ Row row(Work work, std::shared_ptr<Surface const> const& surface) {
       }
       row.cells = {v + faces, e + corners, f + corners - faces, 0};
       // Only what the operations touch: the darts of each face, and of its triangles.
-      row.bytes = size(2 * corners, 3, corners) + size(6 * corners, 3, faces);
+      bool const positions = work == Work::single_faces;
+      row.result_bytes = size(6 * corners, 3, positions ? std::optional(faces) : std::nullopt);
+      row.bytes = size(2 * corners, 3, positions ? std::optional(corners) : std::nullopt) + row.result_bytes;
       break;
     }
     default: break;
@@ -64,16 +70,18 @@ Row row(Work work, std::shared_ptr<Surface const> const& surface) {
   if (work == Work::check) {
     row.bytes = input(true);
   } else if (work == Work::quad) {
-    row.bytes = input(false) + size(row.darts_per_gmap, 3, std::nullopt);
-  } else if (work != Work::single_faces) {
-    row.bytes = input(true) + size(row.darts_per_gmap, 3, row.cells[0]);
+    row.result_bytes = size(row.darts_per_gmap, 3, std::nullopt);
+    row.bytes = input(false) + row.result_bytes;
+  } else if (!is_single(work)) {
+    row.result_bytes = size(row.darts_per_gmap, 3, row.cells[0]);
+    row.bytes = input(true) + row.result_bytes;
   }
   return row;
 }
 
 Row block_row(Work work) {
   constexpr std::size_t n = block_side, hexahedra = n * n * n, faces = 3 * n * n * (n + 1);
-  Row row{work, label(work), std::to_string(n) + "³ cubes", {}, {}, 48 * hexahedra, 0, true, true};
+  Row row{work, label(work), std::to_string(n) + "³ cubes", {}, {}, 48 * hexahedra, 0, 0, true, true};
   std::size_t const values =
       work == Work::build_block || work == Work::sew_block ? 8 * hexahedra : (n + 1) * (n + 1) * (n + 1);
   std::size_t const unrefined = size(row.darts_per_gmap, 4, values);
@@ -102,7 +110,11 @@ std::vector<Row> rows() {
                           Work::dual, Work::check}) {
     for (auto const& surface : {bunny, small, large}) all.push_back(row(work, surface));
   }
-  all.push_back(row(Work::single_faces, large));
+  // What they cost must not depend on the size of the map, but for what its memory is behind.
+  auto const middle = std::make_shared<Surface const>(torus(300));
+  for (Work const work : {Work::single_faces, Work::single_faces_topology}) {
+    for (auto const& surface : {small, middle, large}) all.push_back(row(work, surface));
+  }
   for (Work const work : {Work::build_block, Work::sew_block, Work::check_block, Work::triangulate_block}) {
     all.push_back(block_row(work));
   }
