@@ -63,6 +63,20 @@ TEST_F(Commands, QuadSubdivisionOfTheBunnyAsOMap) {
   EXPECT_TRUE(contains(outcome.output, "11 024 vertices, 22 044 edges, 11 022 faces, 44 088 darts, valid\n")) << outcome.output;
 }
 
+TEST_F(Commands, ThreadsDoNotChangeTheResult) {
+  auto const subdivide = [&](std::string const& out, std::string const& threads) {
+    std::vector<std::string> words{"apply", demo("surface.jrule") + ":quad_subdivision", "--in", bunny(), "--out", out};
+    if (!threads.empty()) words.insert(words.end(), {"--threads", threads});
+    return jrule(words).exit_status;
+  };
+  EXPECT_EQ(subdivide("one.jmap", "1"), 0);
+  EXPECT_EQ(subdivide("three.jmap", "3"), 0);
+  EXPECT_EQ(subdivide("all.jmap", ""), 0);
+  EXPECT_EQ(content("one.jmap"), content("three.jmap"));
+  EXPECT_EQ(content("one.jmap"), content("all.jmap"));
+  EXPECT_EQ(subdivide("none.jmap", "0"), 2);
+}
+
 TEST_F(Commands, ConeIsNotApplicableToTheBunny) {
   Outcome const outcome = jrule({"apply", demo("surface.jrule") + ":cone", "--in", bunny(), "--out", "cone.obj", "--at", "face:0", "apex=0,0,1"});
   EXPECT_EQ(outcome.exit_status, 1);

@@ -1,5 +1,5 @@
 # What the tests of the package share. Given: PREFIX, LIBDIR, JRULE_SOURCE_DIR, JRULE_BINARY_DIR, VERSION, WORK_DIR, GENERATOR,
-# CXX, LAUNCHER, MAKE, PKG_CONFIG, CPACK, DPKG_DEB.
+# CXX, LAUNCHER, MAKE, PKG_CONFIG, TBB, CPACK, DPKG_DEB.
 include("${JRULE_SOURCE_DIR}/tests/integration/script.cmake")
 unset(ENV{JRULE_STDLIB})
 

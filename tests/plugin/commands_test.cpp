@@ -95,6 +95,8 @@ TEST_F(PluginCommands, WhatIsWrongIsSaid) {
   std::string const error = "jrule: error: ";
   refused(apply({"spin", "--in", data("cube.obj")}), 2,
           std::string(JRULE_PLUGIN) + ": error: it has no rule `spin`: `jrule info` lists what it has");
+  refused(apply({"spin", "--in", data("cube.obj"), "--threads", "2"}), 2,
+          error + "`--threads` is for rules of a source file: those of a plugin take one");
   refused(apply({"cone"}), 2, error + "`cone` is applied to a mesh: give one with `--in`");
   refused(apply({"cone", "--in", "none.obj"}), 2, "none.obj: error: cannot read the file: No such file or directory");
   refused(apply({"cone", "--in", data("cube.obj"), "height=3"}), 2,
