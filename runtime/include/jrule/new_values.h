@@ -48,12 +48,17 @@ bool find_firsts(Orbits const& orbits, Handle* handles, std::size_t n, Threads t
   bool const all_known = parallel::all_of(ranges, {threads.count, 1}, [&](std::size_t r) {
     std::size_t const begin = r * firsts.range, end = std::min(n, begin + firsts.range);
     std::fill(handles + begin, handles + end, unset);
-    std::size_t count = 0;
+    // Without branches, and then the few that are left.
+    Index* const list = firsts.list + begin;
+    std::size_t candidates = 0, count = 0;
     for (std::size_t k = begin; k < end; ++k) {
-      auto const is_first = orbits.is_first(static_cast<Index>(k));
+      list[candidates] = static_cast<Index>(k);
+      candidates += orbits.may_be_first(static_cast<Index>(k)) ? 1 : 0;
+    }
+    for (std::size_t i = 0; i < candidates; ++i) {
+      auto const is_first = orbits.is_first(list[i]);
       if (!is_first) return false;
-      firsts.list[begin + count] = static_cast<Index>(k);
-      count += *is_first ? 1 : 0;
+      if (*is_first) list[count++] = list[i];
     }
     firsts.before[r + 1] = count;
     return true;

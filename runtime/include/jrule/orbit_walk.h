@@ -114,7 +114,7 @@ class OrbitWalk {
 // in the column. O(orbit · columns). A column says for each index of the pattern where one step leads.
 
 // is_first() says whether k is the smallest index of its orbit, or nothing where that takes too many steps: asked at each index, they
-// would be the square of a long orbit.
+// would be the square of a long orbit. may_be_first() is false for most that are not, and tells at once.
 
 /// How far is_first() goes.
 inline constexpr int most_steps = 64;
@@ -134,6 +134,7 @@ class CycleOrbits {
       at = column_[at];
     } while (at != k);
   }
+  bool may_be_first(Index k) const noexcept { return column_[k] >= k; }
   std::optional<bool> is_first(Index k) const noexcept {
     Index at = column_[k];
     for (int steps = 0; steps < most_steps; ++steps, at = column_[at]) {
@@ -155,6 +156,7 @@ class DihedralOrbits {
     run(first_, second_, numbers, k, number);
     run(second_, first_, numbers, k, number);
   }
+  bool may_be_first(Index k) const noexcept { return (first_[k] >= k) & (second_[k] >= k); }
   std::optional<bool> is_first(Index k) const noexcept {
     for (Index const* one : {first_, second_}) {
       Index const* other = one == first_ ? second_ : first_;
