@@ -57,6 +57,9 @@ Result<std::string> apply_at(Plugin const& plugin, std::uint32_t number, PluginM
   if (rule.hook_count == 0) {
     if (!at.empty())
       return fail(Error::Kind::bad_input, fmt::format("`{}` has no hook: `--at` says nothing here", rule.name));
+  } else if (number >= plugin.entry().first_operation && (at.empty() || at == "all")) {
+    return fail(Error::Kind::bad_input, fmt::format("`{}` takes {} dart{}: give {}, `--at dart:3`", rule.name, rule.hook_count,
+                                                    rule.hook_count == 1 ? "" : "s", rule.hook_count == 1 ? "it" : "them"));
   } else if (at.empty() || at == "all") {
     if (rule.hook_count > 1) {
       return fail(Error::Kind::bad_input, fmt::format("`{}` has {} hooks: give a dart for each, `--at dart:3,dart:17`",
@@ -144,12 +147,12 @@ void print_modeler(jrule_modeler const& modeler) {
   }
 }
 
-void print_rule(jrule_plugin const& plugin, jrule_rule const& rule) {
-  fmt::print("\nrule {} on {} ({})\n", rule.name, plugin.modelers[rule.modeler].name, rule.module);
+void print_rule(jrule_plugin const& plugin, jrule_rule const& rule, bool is_operation) {
+  fmt::print("\n{} {} on {} ({})\n", is_operation ? "operation" : "rule", rule.name, plugin.modelers[rule.modeler].name, rule.module);
   print_doc(rule.doc, 2);
   if (rule.not_callable != nullptr) fmt::print("  not callable: {}\n", rule.not_callable);
   for (std::uint32_t h = 0; h < rule.hook_count; ++h) {
-    fmt::print("  hook {} {}\n", rule.hooks[h].name, rule.hooks[h].orbit);
+    fmt::print("  {} {} {}\n", is_operation ? "dart" : "hook", rule.hooks[h].name, rule.hooks[h].orbit);
     print_doc(rule.hooks[h].doc, 4);
   }
   for (std::uint32_t p = 0; p < rule.parameter_count; ++p) {
@@ -167,7 +170,8 @@ int apply_plugin(ApplyOptions const& options) {
   auto const applied = apply_and_print(options);
   if (applied) return exit_ok;
   print_error(applied.error());
-  return applied.error().kind == Error::Kind::not_applicable ? exit_refused : exit_usage;
+  using enum Error::Kind;
+  return applied.error().kind == not_applicable || applied.error().kind == limit ? exit_refused : exit_usage;
 }
 
 int info_plugin(InfoOptions const& options) {
@@ -181,10 +185,11 @@ int info_plugin(InfoOptions const& options) {
     return loaded.error().kind == Error::Kind::bad_input ? exit_refused : exit_usage;
   }
   jrule_plugin const& plugin = loaded->entry();
-  fmt::print("plugin {}: {}, {}\n", plugin.name, counted(plugin.modeler_count, "modeler"),
-             counted(plugin.rule_count, "rule"));
+  std::uint32_t const operations = plugin.rule_count - plugin.first_operation;
+  fmt::print("plugin {}: {}, {}{}\n", plugin.name, counted(plugin.modeler_count, "modeler"), counted(plugin.first_operation, "rule"),
+             operations == 0 ? "" : ", " + counted(operations, "operation"));
   for (std::uint32_t m = 0; m < plugin.modeler_count; ++m) print_modeler(plugin.modelers[m]);
-  for (std::uint32_t r = 0; r < plugin.rule_count; ++r) print_rule(plugin, plugin.rules[r]);
+  for (std::uint32_t r = 0; r < plugin.rule_count; ++r) print_rule(plugin, plugin.rules[r], r >= plugin.first_operation);
   return exit_ok;
 }
 

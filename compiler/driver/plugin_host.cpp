@@ -82,7 +82,7 @@ Result<std::uint32_t> Plugin::find_rule(std::string const& name) const {
     if (rule.name == name || fmt::format("{}:{}", rule.module, rule.name) == name) found.push_back(r);
   }
   if (found.empty())
-    return fail(Error::Kind::bad_input, fmt::format("it has no rule `{}`: `jrule info` lists what it has", name),
+    return fail(Error::Kind::bad_input, fmt::format("it has no rule or operation `{}`: `jrule info` lists what it has", name),
                 path_);
   if (found.size() > 1) {
     return fail(Error::Kind::bad_input,

@@ -112,6 +112,12 @@ std::vector<std::size_t> assigned(Block const& block) {
   return outside;
 }
 
+std::vector<std::size_t> assigned_anywhere(Block const& block) {
+  std::set<std::size_t> declared, assigned;
+  collect_sets(block, declared, assigned);
+  return {assigned.begin(), assigned.end()};
+}
+
 namespace {
 
 void renumber(Block& block, std::vector<std::size_t> const& number) {

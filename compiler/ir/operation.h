@@ -91,6 +91,8 @@ std::vector<Called> calls(Block const& block);
 
 /// The variables that the block gives another value, and that are declared outside it; ascending.
 std::vector<std::size_t> assigned(Block const& block);
+/// All that it gives another value than that of their declaration.
+std::vector<std::size_t> assigned_anywhere(Block const& block);
 
 /// An empty rule on the operation's modeler. The functions on expressions ask for the rule that they are of; an operation's mention
 /// no nodes, parameters or lets of one.

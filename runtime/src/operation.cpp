@@ -43,16 +43,16 @@ void fail(std::string_view operation, std::string_view message) {
   throw_failure(Error::Kind::not_applicable, fmt::format("`{}` failed: {}", operation, message));
 }
 
-void report_dead(std::string_view operation, Dart d) {
-  throw_failure(Error::Kind::not_applicable, fmt::format("`{}` failed: dart {} is not in the map any more", operation, d));
+void report_dead(std::string_view operation) {
+  throw_failure(Error::Kind::not_applicable, fmt::format("`{}` failed: it reads a dart that is not in the map any more", operation));
 }
 
-Dart copy_for(std::span<Dart const> pattern, std::span<Dart const> copies, Dart d, std::string_view operation, std::string_view what) {
-  auto const found = std::find(pattern.begin(), pattern.end(), d);
-  if (found == pattern.end()) {
+Dart Copies::at(Dart d, std::string_view operation, std::string_view what) const {
+  auto const found = std::find(pattern_.begin(), pattern_.end(), d);
+  if (found == pattern_.end()) {
     throw_failure(Error::Kind::not_applicable, fmt::format("`{}` failed: there is no `{}` for dart {}, which is not of the pattern", operation, what, d));
   }
-  return copies[static_cast<std::size_t>(found - pattern.begin())];
+  return copies_[static_cast<std::size_t>(found - pattern_.begin())];
 }
 
 }  // namespace jrule::operation

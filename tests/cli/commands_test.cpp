@@ -310,7 +310,7 @@ TEST_F(Commands, UsageErrors) {
   EXPECT_EQ(jrule({"--help"}).exit_status, 0);
   EXPECT_EQ(jrule({"apply", "--help"}).exit_status, 0);
   EXPECT_TRUE(contains(jrule({"--version"}).output, "jrule "));
-  for (std::string const command : {"run", "lsp"}) {
+  for (std::string const command : {"lsp"}) {
     Outcome const outcome = jrule({command, "x"});
     EXPECT_EQ(outcome.exit_status, 2);
     EXPECT_TRUE(contains(outcome.output, "[J0902]")) << outcome.output;

@@ -94,7 +94,7 @@ TEST_F(PluginCommands, ARuleOfOneOfSeveralModules) {
 TEST_F(PluginCommands, WhatIsWrongIsSaid) {
   std::string const error = "jrule: error: ";
   refused(apply({"spin", "--in", data("cube.obj")}), 2,
-          std::string(JRULE_PLUGIN) + ": error: it has no rule `spin`: `jrule info` lists what it has");
+          std::string(JRULE_PLUGIN) + ": error: it has no rule or operation `spin`: `jrule info` lists what it has");
   refused(apply({"spin", "--in", data("cube.obj"), "--threads", "2"}), 2,
           error + "`--threads` is for rules of a source file: those of a plugin take one");
   refused(apply({"cone"}), 2, error + "`cone` is applied to a mesh: give one with `--in`");

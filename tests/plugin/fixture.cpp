@@ -5,7 +5,7 @@
 namespace jrule::tests {
 
 void WithPlugin::SetUp() {
-  library_ = {dlopen(JRULE_PLUGIN, RTLD_NOW | RTLD_LOCAL), [](void* handle) { dlclose(handle); }};
+  library_ = {dlopen(library().c_str(), RTLD_NOW | RTLD_LOCAL), [](void* handle) { dlclose(handle); }};
   ASSERT_TRUE(library_) << dlerror();
   plugin_ = static_cast<jrule_plugin const*>(dlsym(library_.get(), JRULE_PLUGIN_ENTRY));
   ASSERT_TRUE(plugin_ != nullptr);

@@ -17,6 +17,8 @@ class WithPlugin : public CommandLine {
   using MapPtr = std::unique_ptr<jrule_map, void (*)(jrule_map*)>;
 
   void SetUp() override;
+  /// The plugin's path.
+  virtual std::string library() const { return JRULE_PLUGIN; }
 
   jrule_rule const& rule(std::uint32_t number) const { return plugin_->rules[number]; }
   /// The number of the module's rule; fails the test if it is not there.

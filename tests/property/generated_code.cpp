@@ -140,18 +140,28 @@ void run_compiler(std::filesystem::path const& folder, std::vector<std::string> 
 
 }  // namespace
 
-std::vector<GeneratedRule> compile_rules(std::vector<AcceptedRule> const& rules, std::string const& name) {
+std::filesystem::path make_folder(std::string const& name) {
   std::filesystem::path const folder = std::filesystem::path(JRULE_GENERATED_CODE) / name;
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
-  print_code(rules, name, folder);
-  run_compiler(folder, {"-c", "rules.cpp", "-o", "rules.o"});
+  return folder;
+}
+
+void* load(std::filesystem::path const& folder, std::string const& file, char const* symbol) {
+  run_compiler(folder, {"-c", file, "-o", "rules.o"});
   run_compiler(folder, {"-shared", "rules.o", "-o", "rules.so"});
   // Never closed: the functions stay.
   void* const library = dlopen((folder / "rules.so").c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) throw std::runtime_error(dlerror());
-  auto const* const entries = static_cast<Entry const*>(dlsym(library, "jrule_rules"));
-  if (entries == nullptr) throw std::runtime_error(dlerror());
+  void* const found = dlsym(library, symbol);
+  if (found == nullptr) throw std::runtime_error(dlerror());
+  return found;
+}
+
+std::vector<GeneratedRule> compile_rules(std::vector<AcceptedRule> const& rules, std::string const& name) {
+  std::filesystem::path const folder = make_folder(name);
+  print_code(rules, name, folder);
+  auto const* const entries = static_cast<Entry const*>(load(folder, "rules.cpp", "jrule_rules"));
   std::vector<GeneratedRule> generated;
   for (std::size_t i = 0; i < rules.size(); ++i) {
     Entry const& e = entries[i];

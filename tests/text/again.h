@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "compiler/ir/rule_scheme.h"
+#include "compiler/ir/program.h"
 
 namespace jrule::tests {
 

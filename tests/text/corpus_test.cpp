@@ -45,6 +45,20 @@ void expect_same_modeler(ir::Modeler const& before, ir::Modeler const& after, st
   EXPECT_EQ(after.module, before.module.empty() ? "" : module);
 }
 
+/// What an item is called in the text: `Terrain.quad`, of several modelers, and `sew[2]`.
+std::string text_name(std::string name) {
+  std::erase(name, ']');
+  std::replace_if(name.begin(), name.end(), [](char c) { return c == '.' || c == '[' || c == ','; }, '_');
+  return name;
+}
+
+/// The operation as IR, its rules and operations under the names of the text.
+std::string print_under(ir::Program program, std::size_t operation, std::vector<std::string> const& rules) {
+  for (std::size_t i = 0; i < rules.size(); ++i) program.rules[i].name = rules[i];
+  for (ir::Operation& o : program.operations) o.name = text_name(o.name);
+  return ir::print(program.operations[operation], program);
+}
+
 void expect_same(ir::Program const& before, std::vector<std::string> const& names, std::string const& text) {
   Again const after = elaborate_again(text, before.module);
   ASSERT_EQ(after.errors, "") << text;
@@ -59,6 +73,12 @@ void expect_same(ir::Program const& before, std::vector<std::string> const& name
     auto const found = difference(rule, after.program.rules[i], Order::kept);
     EXPECT_FALSE(found) << *found << " differ\n" << ir::print(rule) << text << ir::print(after.program.rules[i]);
   }
+  ASSERT_EQ(after.program.operations.size(), before.operations.size()) << text;
+  for (std::size_t i = 0; i < before.operations.size(); ++i) {
+    EXPECT_EQ(after.program.operations[i].name, text_name(before.operations[i].name));
+    EXPECT_EQ(after.program.operations[i].doc, before.operations[i].doc);
+    EXPECT_EQ(print_under(before, i, names), print_under(after.program, i, names)) << text;
+  }
   EXPECT_EQ(syntax::format(text), text);
 }
 
@@ -66,7 +86,7 @@ void expect_same(ir::Program const& before, std::vector<std::string> const& name
 
 TEST(Corpus, ElaboratesToTheSameProgramWhenPrinted) {
   int programs = 0;
-  std::size_t rules = 0;
+  std::size_t rules = 0, operations = 0;
   for (std::string const& path : corpus()) {
     SCOPED_TRACE(path);
     Loaded loaded(path);
@@ -80,17 +100,18 @@ TEST(Corpus, ElaboratesToTheSameProgramWhenPrinted) {
     ASSERT_TRUE(text) << text.error().reason;
     std::vector<std::string> names;
     for (ir::RuleScheme const& rule : program.rules) {
-      names.push_back(rule.name);
-      std::replace(names.back().begin(), names.back().end(), '.', '_');  // of several modelers
+      names.push_back(text_name(rule.name));
     }
     expect_same(program, names, *text);
     ++programs;
     rules += program.rules.size();
+    operations += program.operations.size();
   }
   RecordProperty("programs", programs);
   RecordProperty("rules", static_cast<int>(rules));
   EXPECT_GE(programs, 80);
   EXPECT_GE(rules, 150U);
+  EXPECT_GE(operations, 10U);
 }
 
 TEST(Corpus, InstancesOfFamiliesElaborateToTheSameRuleWhenPrinted) {

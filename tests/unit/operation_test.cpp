@@ -107,7 +107,7 @@ TEST(Operation, ReadingADeletedDartFails) {
   Map map = s.empty();
   auto const failed = s.run("read", map);
   ASSERT_FALSE(failed);
-  EXPECT_EQ(failed.error().message, "`read` failed: dart 0 is not in the map any more");
+  EXPECT_EQ(failed.error().message, "`read` failed: it reads a dart that is not in the map any more");
   EXPECT_EQ(failed.error().kind, Error::Kind::not_applicable);
   EXPECT_EQ(bits(map), bits(s.empty()));
   EXPECT_TRUE(s.run("compare", map));

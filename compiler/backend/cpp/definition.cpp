@@ -6,6 +6,7 @@
 
 #include "compiler/backend/cpp/expression.h"
 #include "compiler/backend/cpp/function.h"
+#include "compiler/backend/cpp/parts.h"
 #include "compiler/backend/cpp/sections.h"
 #include "compiler/backend/cpp/text.h"
 #include "compiler/ir/extern_use.h"
@@ -23,12 +24,6 @@ std::string hook_type(ir::RuleScheme const& rule) {
 std::string role(Function const& f, ir::Node const& node) {
   if (node.hook) return *node.hook == 0 ? "hook " + hook_type(f.rule) : "hook";
   return node.added() ? "added" : "kept";
-}
-
-// The first line of a documentation comment, to stand behind a few words; empty if there is none.
-std::string remark(std::string const& doc) {
-  auto const lines = documentation(doc);
-  return lines.empty() ? "" : ": " + lines.front();
 }
 
 void declare_result(Writer& out, Function const& f) {
@@ -52,10 +47,6 @@ void declare_result(Writer& out, Function const& f) {
 }
 
 enum class Defaults { with, without };
-
-std::string default_of(ir::Parameter const& parameter) {
-  return parameter.default_value ? literal(*parameter.default_value) : constant_expression(*parameter.computed_default);
-}
 
 // "Surface& surface, jrule::Dart a, jrule::Point3 apex"; where all orbits are rewritten at once, ", jrule::Threads threads".
 std::string parameter_list(Function const& f, bool hooks, Defaults defaults, bool mark_unused) {
@@ -92,14 +83,7 @@ void document(Writer& out, Function const& f, bool hooks) {
       out.line("/// @param {}  {}{}", f.hooks[h], role(f, node), remark(node.doc));
     }
   }
-  for (std::size_t p = 0; p < f.parameters.size(); ++p) {
-    ir::Parameter const& parameter = f.rule.parameters[p];
-    std::string const unit = parameter.unit.empty() ? "" : " in " + parameter.unit;
-    std::string by_default;
-    if (parameter.default_value) by_default = ", by default " + to_string(*parameter.default_value);
-    if (parameter.computed_default) by_default = ", by default " + constant_expression(*parameter.computed_default);
-    out.line("/// @param {}  {}{}{}{}", f.parameters[p], to_string(parameter.value_type()), unit, by_default, remark(parameter.doc));
-  }
+  for (std::size_t p = 0; p < f.parameters.size(); ++p) out.text(document_parameter(f.rule.parameters[p], f.parameters[p]));
   if (!hooks && f.independent) out.line("/// @param {}  how many threads it may take; the result is the same for any number", f.threads);
   if (ir::find_extern_use(f.rule)) {
     out.text(hooks ? "/// @throws what C++ from outside throws, and then nothing has changed; running out of memory is returned"
@@ -118,14 +102,7 @@ std::string signature(Function const& f, bool hooks, Defaults defaults, bool mar
                              parameter_list(f, false, defaults, mark_unused));
 }
 
-// Functions are `try` blocks as a whole: whatever they allocate, running out of memory leaves the map as it was.
-void close_function(Writer& out, Function const& f) {
-  for (char const* error : {"bad_alloc", "length_error"}) {
-    out.reopen("}} catch (std::{} const&) {{", error);
-    out.line("return tl::unexpected(jrule::rewrite::no_memory({}));", literal(f.rule.name));
-  }
-  out.close();
-}
+void close_function(Writer& out, Function const& f) { close_function(out, f.rule.name); }
 
 // A function whose text is written last, and that declares what it needs.
 template <class Write>
@@ -152,13 +129,6 @@ bool has_plan(Function const& f) {
 }
 
 bool passes_lets(Function const& f) { return std::find(f.uses_let.begin(), f.uses_let.end(), true) != f.uses_let.end(); }
-
-// "name(a, b)" with what follows, each parameter on a line of its own if they do not fit on one.
-void open_call(Writer& out, std::string const& start, std::vector<std::string> const& list, std::string const& end, bool opens) {
-  std::string const line = fmt::format("{}({}){}", start, fmt::join(list, ", "), end);
-  std::string const text = line.size() <= 110 ? line : fmt::format("{}({}){}", start, fmt::join(list, ",\n        "), end);
-  opens ? out.open("{}", text) : out.line("{}", text);
-}
 
 // What `listed` gets: types and names.
 std::vector<std::pair<std::string, std::string>> listed_parameters(Function const& f) {
@@ -333,7 +303,34 @@ void define_at_once(Writer& out, Function const& f, Listed const& listed) {
     rest.close();
     call_listed(rest, f, listed, "", true);
     rest.line("return {{}};");
-    write_all_matches(body, f.in(Form::listed), rest.all());
+    write_all_matches(body, f.in(Form::listed), fmt::format("jrule::rewrite::all_applications({}, {})", f.map, f.local("orbit")), rest.all());
+  });
+  close_function(out, f);
+}
+
+// The same inside an orbit, for operations. How often it was applied.
+void define_within(Writer& out, Function const& f, Listed const& listed) {
+  std::vector<std::string> parameters{fmt::format("{}& {}", f.names.modeler, f.modeler), fmt::format("jrule::OrbitType const& {}", f.local("type")),
+                                      fmt::format("jrule::Dart {}", f.hooks[0])};
+  for (std::size_t p = 0; p < f.parameters.size(); ++p) {
+    parameters.push_back(fmt::format("{}{} {}", f.uses_parameter[p] ? "" : "[[maybe_unused]] ", parameter_type(f.rule.parameters[p].value_type()), f.parameters[p]));
+  }
+  out.line("// `{}` at each {}-orbit inside ⟨{}⟩({}), all at once.", f.names.function, hook_type(f.rule), f.local("type"), f.hooks[0]);
+  open_call(out, fmt::format("static jrule::Result<std::size_t> {}", f.names.within), parameters, " try {", true);
+  write_body(out, f, true, [&](Writer& body) {
+    write_orbit_type(body, f);
+    body.line("[[maybe_unused]] jrule::Threads const {}{{}};", f.threads);
+    std::string const &all = f.local("all"), &first = f.local("start");
+    Writer rest(body.depth());
+    rest.open("if ({}.count() == 0) {{", all);
+    rest.line("// Why not: what the first orbit alone says.");
+    rest.line("auto const {} = {}({});", f.local("applied"), f.names.function, fmt::join(arguments(f, {f.modeler, first}), ", "));
+    rest.line("if (!{0}) return tl::unexpected({0}.error());", f.local("applied"));
+    rest.close();
+    call_listed(rest, f, listed, "", true);
+    rest.line("return {}.count();", all);
+    std::string const find = fmt::format("jrule::rewrite::applications_within({}, {}, {}, {})", f.map, f.local("orbit"), f.local("type"), f.hooks[0]);
+    write_all_matches(body, f.in(Form::listed), fmt::format("{};\n  jrule::Dart const {} = {}.pattern.front()", find, first, all), rest.all());
   });
   close_function(out, f);
 }
@@ -353,7 +350,7 @@ std::string declare(Function const& f) {
   return out.all();
 }
 
-std::string define(Function const& f) {
+std::string define(Function const& f, bool within) {
   Writer out;
   if (f.independent) {  // of rules with one hook
     Listed const listed = list(f);
@@ -362,6 +359,10 @@ std::string define(Function const& f) {
     out.line();
     if (f.can_be_dense()) define_dense(out, f);
     define_at_once(out, f, listed);
+    if (within) {
+      out.line();
+      define_within(out, f, listed);
+    }
     return out.all();
   }
   define_application(out, f, nullptr);

@@ -8,6 +8,7 @@
 #include "compiler/backend/cpp/function.h"
 #include "compiler/backend/cpp/modeler.h"
 #include "compiler/backend/cpp/module_names.h"
+#include "compiler/backend/cpp/operation.h"
 #include "compiler/backend/cpp/text.h"
 #include "compiler/backend/cpp/writer.h"
 
@@ -45,6 +46,18 @@ struct Emission {
     out.line("#endif");
   }
 
+  void write_operations(Writer& header, Writer& code, Operations const& all) {
+    std::size_t const count = program.operations.size();
+    if (count > 0) code.line();
+    for (std::size_t i = 0; i < count; ++i) code.lines(declare_run(all, i));
+    for (std::size_t i = 0; i < count; ++i) {
+      header.line();
+      header.lines(declare_operation(all, i));
+      code.line();
+      code.lines(define_operation(all, i));
+    }
+  }
+
   std::vector<GeneratedFile> run(std::vector<Rule> const& rules) {
     std::size_t const errors_before = diagnostics.error_count();
     ModuleNames const names = name_module(program, rules, options, diagnostics);
@@ -56,11 +69,12 @@ struct Emission {
     for (char const* file : {"cstddef", "cstdint", "limits", "optional", "span", "string", "utility", "vector"})
       header.line("#include <{}>", file);
     header.line();
-    for (char const* file : {"bulk", "io", "map", "new_values", "result", "rewrite", "trial", "typed", "value"})
+    for (char const* file : {"bulk", "io", "map", "new_values", "operation", "result", "rewrite", "trial", "typed", "value"})
       header.line("#include <jrule/{}.h>", file);
     std::set<std::string> outside;
     for (Class const& c : names.classes) add_headers(*c.modeler, outside, diagnostics);
     for (Rule const& rule : rules) add_headers(*rule.scheme, outside, diagnostics);
+    for (ir::Operation const& operation : program.operations) add_headers(operation, outside, diagnostics);
     if (!outside.empty()) header.line();
     for (std::string const& file : outside) header.line("#include \"{}\"", file);
     for (Class const& c : names.classes) write_class(header, c);
@@ -77,13 +91,15 @@ struct Emission {
     }
     Scope scope;
     for (std::string const& name : names.taken) scope.reserve(name);
-    for (std::size_t i = 0; i < rules.size(); ++i) {
-      Function const function(rules[i], sources, names.rules[i], scope);
+    std::vector<Function> functions;
+    for (std::size_t i = 0; i < rules.size(); ++i) functions.emplace_back(rules[i], sources, names.rules[i], scope);
+    for (Function const& function : functions) {
       header.line();
       header.lines(declare(function));
       code.line();
-      code.lines(define(function));
+      code.lines(define(function, !function.names.within.empty()));
     }
+    write_operations(header, code, {program, sources, functions, names.operations, scope});
     for (Writer* out : {&header, &code}) {
       out->line();
       out->line("}}  // namespace {}", names.name_space);

@@ -1,4 +1,4 @@
-// IR -> C++: one header and one source for each module, one function for each rule.
+// IR -> C++: one header and one source for each module, one function for each rule and operation.
 #pragma once
 
 #include <string>
@@ -26,7 +26,7 @@ struct GeneratedFile {
   std::string text;
 };
 
-/// The module's header and source. Equal inputs give equal bytes: no dates, no absolute paths. The code includes only
+/// The module's header and source. A program with operations needs all its rules, in their order. Equal inputs give equal bytes: no dates, no absolute paths. The code includes only
 /// runtime/include, is reentrant, and compiles without warnings. A name that C++ cannot use is reported (J0901) and
 /// then nothing is returned.
 std::vector<GeneratedFile> emit(ir::Program const& program, std::vector<Rule> const& rules,

@@ -26,8 +26,9 @@ struct Code {
 std::string bound(Code const& code, Binding least) { return code.binding < least ? '(' + code.text + ')' : code.text; }
 
 struct Printer {
-  Function const* function;  // null for an expression that reads nothing
+  Function const* function;  // null for an expression that reads nothing, or that is an operation's
   Where where;
+  OperationNames const* operation = nullptr;
   mutable std::set<std::size_t> mentioned{};  // levels of the comprehensions whose variables are
 
   Function const& f() const {
@@ -53,23 +54,48 @@ struct Printer {
     if (where != Where::at_hooks) return {f().dart(n.node)};
     return {f().node(n.node).hook ? f().hooks[*f().node(n.node).hook] : f().darts[n.node] + "[0]"};
   }
+  std::string const& bound_name(std::string const& name) const { return operation ? operation->bound.at(name) : f().variables.at(name); }
   Code print_node(ir::Bound const& b) const {
     mentioned.insert(b.level);
-    return {f().variables.at(b.name)};
+    return {bound_name(b.name)};
   }
-  Code print_node(ir::Walk const& w) const { return {f().walk(print(*w.from).text, w.path)}; }
-  Code print_node(ir::VariableRef const&) const { throw std::logic_error("a rule reads a variable of an operation"); }
-  Code print_node(ir::CopyOf const&) const { throw std::logic_error("a rule reads the result of another one"); }
+  // A dart where the map is read. In an operation it may have been deleted, but not where a path or a comprehension has just led.
+  std::string dart(ir::Expr const& expr) const {
+    std::string text = print(expr).text;
+    bool const is_there = std::holds_alternative<ir::Bound>(expr.value) || std::holds_alternative<ir::Walk>(expr.value);
+    return !operation || is_there ? text : fmt::format("{}({})", operation->alive, text);
+  }
+  Code print_node(ir::Walk const& w) const {
+    if (!operation) return {f().walk(dart(*w.from), w.path)};
+    std::string at = dart(*w.from);
+    for (Letter const letter : w.path) at = fmt::format("{}.{}({}, {})", operation->map, letter.conjugate ? "source" : "target", at, letter.dimension);
+    return {at};
+  }
+  Code print_node(ir::VariableRef const& v) const { return {of_operation().variables[v.index]}; }
+  Code print_node(ir::CopyOf const& c) const {
+    OperationNames const& o = of_operation();
+    if (!c.at) return {fmt::format("{}.{}", o.variables[c.result.index], o.members[c.result.index][c.node])};
+    return {fmt::format("{}.at({}, {}, {})", o.copies.at({c.result.index, c.node}), print(*c.at).text, o.operation,
+                        literal(c.result.name + "." + c.node_name))};
+  }
+  OperationNames const& of_operation() const {
+    if (!operation) throw std::logic_error("a rule reads a variable of an operation");
+    return *operation;
+  }
   // The arguments that say which darts: "walk_1_2_by_1, a".
   std::string darts(ir::Darts const& d) const {
-    return fmt::format("{}, {}", f().walks.at({d.orbit, d.by}), print(*d.at).text);
+    return fmt::format("{}, {}", (operation ? operation->walks : f().walks).at({d.orbit, d.by}), dart(*d.at));
   }
   Code print_node(ir::Darts const&) const { throw std::logic_error("darts are counted or aggregated"); }
-  Code print_node(ir::ValueAt const& v) const {
-    return {fmt::format("{}[{}]", f().values[v.embedding], print(*v.at).text)};
+  std::string value(std::size_t embedding, std::string const& at) const {
+    return operation ? fmt::format("{}.{}({})", operation->object, operation->modeler->embeddings[embedding].name, at)
+                     : fmt::format("{}[{}]", f().values[embedding], at);
   }
+  Code print_node(ir::ValueAt const& v) const { return {value(v.embedding, dart(*v.at))}; }
   Code print_node(ir::Collect const& c) const {
-    return {fmt::format("{}.over({})", f().values[c.embedding], darts(c.over))};
+    if (!operation) return {fmt::format("{}.over({})", f().values[c.embedding], darts(c.over))};
+    return {fmt::format("jrule::rewrite::Values<{}>({}.embedding({})).over({})", type_name(operation->modeler->value_type(c.embedding)),
+                        operation->map, c.embedding, darts(c.over))};
   }
   // "walk_1_2_by_1, a, [&](jrule::Dart f) { return …; }"
   std::string each(ir::Darts const& over, std::string const& name, std::string const& element) const {
@@ -78,7 +104,7 @@ struct Printer {
   std::string each(ir::ForEach const& e) const {
     mentioned.erase(e.variable.level);
     std::string const element = print(*e.element).text;
-    std::string const name = mentioned.contains(e.variable.level) ? ' ' + f().variables.at(e.variable.name) : "";
+    std::string const name = mentioned.contains(e.variable.level) ? ' ' + bound_name(e.variable.name) : "";
     return each(e.over, name, element);
   }
   Code print_node(ir::ForEach const& e) const { return {fmt::format("jrule::rewrite::each({})", each(e))}; }
@@ -87,8 +113,8 @@ struct Printer {
     if (auto const* e = std::get_if<ir::ForEach>(&list.value)) return each(*e);
     auto const* c = std::get_if<ir::Collect>(&list.value);
     if (!c) return {};
-    std::string const& at = f().local("at");
-    return each(c->over, ' ' + at, fmt::format("{}[{}]", f().values[c->embedding], at));
+    std::string const& at = operation ? operation->at : f().local("at");
+    return each(c->over, ' ' + at, value(c->embedding, at));
   }
   std::optional<Code> aggregate(ir::Apply const& a) const {
     std::string const walked = each(*a.arguments[0]);
@@ -219,6 +245,10 @@ struct Printer {
 std::string expression(ir::Expr const& expr, Function const& f, Where where) {
   return Printer{&f, where}.print(expr).text;
 }
+
+std::string expression(ir::Expr const& expr, OperationNames const& names) { return Printer{nullptr, Where::at_hooks, &names}.print(expr).text; }
+
+std::string dart_in_map(ir::Expr const& expr, OperationNames const& names) { return Printer{nullptr, Where::at_hooks, &names}.dart(expr); }
 
 std::string constant_expression(ir::Expr const& expr) { return Printer{nullptr, Where::at_hooks}.print(expr).text; }
 

@@ -40,6 +40,23 @@ struct Headers {
     if (auto const* const call = std::get_if<ir::Call>(&expr->value)) add(*call->function, "function");
     for (ir::ExprPtr const& part : ir::parts(*expr)) add(part);
   }
+
+  void add(std::vector<ir::Parameter> const& parameters) {
+    for (ir::Parameter const& p : parameters) {
+      add(p.value_type());
+      add(p.computed_default);
+    }
+  }
+
+  void add(ir::Block const& block) {
+    for (ir::Statement const& statement : block) {
+      for (ir::ExprPtr const& expr : ir::expressions(statement)) {
+        add(expr->type);
+        add(expr);
+      }
+      for (ir::Block const* inner : ir::blocks(statement)) add(*inner);
+    }
+  }
 };
 
 }  // namespace
@@ -55,16 +72,20 @@ void add_headers(ir::Modeler const& modeler, std::set<std::string>& headers, sou
 
 void add_headers(ir::RuleScheme const& rule, std::set<std::string>& headers, source::Diagnostics& diagnostics) {
   Headers result{headers, diagnostics};
-  for (ir::Parameter const& p : rule.parameters) {
-    result.add(p.value_type());
-    result.add(p.computed_default);
-  }
+  result.add(rule.parameters);
   for (ir::Let const& let : rule.lets) {
     result.add(let.value->type);
     result.add(let.value);
   }
   for (ir::Requirement const& requirement : rule.requirements) result.add(requirement.condition);
   for (ir::Clause const& clause : rule.clauses) result.add(clause.value);
+}
+
+void add_headers(ir::Operation const& operation, std::set<std::string>& headers, source::Diagnostics& diagnostics) {
+  Headers result{headers, diagnostics};
+  result.add(operation.parameters);
+  if (operation.result) result.add(*operation.result);
+  result.add(operation.body);
 }
 
 }  // namespace jrule::cpp

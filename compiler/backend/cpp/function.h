@@ -17,6 +17,7 @@ namespace jrule::cpp {
 struct PublicNames {
   std::string function;    ///< "cone"
   std::string everywhere;  ///< "cone_everywhere"; empty unless the rule has one hook
+  std::string within;      ///< "cone_within", if an operation applies it everywhere in an orbit
   std::string result;      ///< "ConeResult"
   std::string modeler;     ///< the class that it works on, as it is called here: "Surface", "::base::Surface"
   std::string class_name;  ///< the same without its namespace
@@ -117,7 +118,7 @@ struct Function {
 
 /// The declaration of the rule's result and functions.
 std::string declare(Function const& f);
-/// Their definitions.
-std::string define(Function const& f);
+/// Their definitions. `within`: and that of a function which applies an independent rule inside an orbit, for operations.
+std::string define(Function const& f, bool within);
 
 }  // namespace jrule::cpp

@@ -201,9 +201,8 @@ void write_refusals(Writer& out, Function const& f) {
 
 }  // namespace
 
-void write_all_matches(Writer& out, Function const& f, std::string const& text) {
-  std::string const& all = f.local("all");
-  out.line("jrule::rewrite::Applications {} = jrule::rewrite::all_applications({}, {});", all, f.map, f.local("orbit"));
+void write_all_matches(Writer& out, Function const& f, std::string const& find, std::string const& text) {
+  out.line("jrule::rewrite::Applications {} = {};", f.local("all"), find);
   if (can_refuse(f)) write_refusals(out, f);
   Writer steps(out.depth());
   write_steps(steps, f);

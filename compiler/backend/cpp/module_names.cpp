@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <set>
 #include <utility>
 
 namespace jrule::cpp {
@@ -77,26 +78,45 @@ struct Naming {
     names.classes.push_back(std::move(added));
   }
 
-  PublicNames name(ir::RuleScheme const& rule) {
-    PublicNames result;
-    // "Terrain.quad" gives "terrain_quad".
-    std::size_t const dot = rule.name.find('.');
-    result.function = dot == std::string::npos
-                          ? identifier(rule.name)
-                          : identifier(snake_case(rule.name.substr(0, dot)) + "_" + rule.name.substr(dot + 1));
-    std::string const what = fmt::format("the rule `{}`", rule.name);
-    source::Span const place = rule.import ? *rule.import : rule.span;
-    if (std::string_view const why = unusable(rule.name.substr(0, rule.name.find('['))); !why.empty()) {
+  // Of a rule or operation: "Terrain.quad" gives "terrain_quad".
+  std::string function_name(std::string const& name, std::string const& what, source::Span place) {
+    if (std::string_view const why = unusable(name.substr(0, name.find('['))); !why.empty()) {
       report(place, fmt::format("{} cannot be a C++ function: its name {}", what, why));
     }
+    std::size_t const dot = name.find('.');
+    return dot == std::string::npos ? identifier(name) : identifier(snake_case(name.substr(0, dot)) + "_" + name.substr(dot + 1));
+  }
+
+  // The class that a rule or operation works on, as it is called here.
+  std::string class_here(Class const& on) const {
+    return on.name_space == names.name_space ? on.name : fmt::format("::{}::{}", on.name_space, on.name);
+  }
+
+  PublicNames name(ir::RuleScheme const& rule, bool within) {
+    PublicNames result;
+    std::string const what = fmt::format("the rule `{}`", rule.name);
+    source::Span const place = rule.import ? *rule.import : rule.span;
+    result.function = function_name(rule.name, what, place);
+    if (within) result.within = result.function + "_within";
     result.result = camel_case(result.function) + "Result";
     if (rule.hooks.size() == 1) result.everywhere = result.function + "_everywhere";
-    for (std::string const& taken_name : {result.function, result.everywhere, result.result}) {
+    for (std::string const& taken_name : {result.function, result.everywhere, result.within, result.result}) {
       if (!taken_name.empty()) take(taken_name, what, place);
     }
     Class const& on = names.class_of(*rule.modeler);
     result.class_name = on.name;
-    result.modeler = on.name_space == names.name_space ? on.name : fmt::format("::{}::{}", on.name_space, on.name);
+    result.modeler = class_here(on);
+    return result;
+  }
+
+  OperationPublicNames name(ir::Operation const& operation) {
+    std::string const what = fmt::format("the operation `{}`", operation.name);
+    source::Span const place = operation.import ? *operation.import : operation.span;
+    Class const& on = names.class_of(*operation.modeler);
+    std::string const function = function_name(operation.name, what, place);
+    OperationPublicNames result{function, "run_" + function, class_here(on), on.name};
+    take(result.function, what, place);
+    take(result.run, what, place);
     return result;
   }
 
@@ -104,7 +124,11 @@ struct Naming {
     choose_namespace();
     for (auto const& modeler : program.modelers) add_class(*modeler);
     for (Rule const& rule : rules) add_class(*rule.scheme->modeler);
-    for (Rule const& rule : rules) names.rules.push_back(name(*rule.scheme));
+    for (ir::Operation const& operation : program.operations) add_class(*operation.modeler);
+    std::set<ir::RuleScheme const*> within;
+    for (std::size_t const rule : applied_within(program)) within.insert(&program.rules[rule]);
+    for (Rule const& rule : rules) names.rules.push_back(name(*rule.scheme, within.contains(rule.scheme)));
+    for (ir::Operation const& operation : program.operations) names.operations.push_back(name(operation));
     for (auto const& [name, what] : taken) names.taken.push_back(name);
     return std::move(names);
   }

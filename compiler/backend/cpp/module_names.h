@@ -6,6 +6,7 @@
 
 #include "compiler/backend/cpp/emit.h"
 #include "compiler/backend/cpp/function.h"
+#include "compiler/backend/cpp/operation.h"
 
 namespace jrule::cpp {
 
@@ -19,6 +20,7 @@ struct ModuleNames {
   std::string name_space;
   std::vector<Class> classes;      ///< the program's modelers, then those of other modules that its rules work on
   std::vector<PublicNames> rules;  ///< one for each rule
+  std::vector<OperationPublicNames> operations;  ///< one for each of the program's
   std::vector<std::string> taken;  ///< of the namespace
 
   Class const& class_of(ir::Modeler const& modeler) const;

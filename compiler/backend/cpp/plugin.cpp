@@ -56,8 +56,8 @@ std::string hook_orbit(ir::RuleScheme const& rule, ir::NodeId hook) {
   return jrule::to_string(type);
 }
 
-std::string not_callable(ir::RuleScheme const& rule) {
-  for (ir::Parameter const& parameter : rule.parameters) {
+std::string not_callable(std::vector<ir::Parameter> const& parameters) {
+  for (ir::Parameter const& parameter : parameters) {
     if (parameter.external)
       return literal(
           fmt::format("its parameter `{}` is of the C++ type `{}`", parameter.name, parameter.external->name));
@@ -65,8 +65,8 @@ std::string not_callable(ir::RuleScheme const& rule) {
   return "nullptr";
 }
 
-bool is_callable(ir::RuleScheme const& rule) {
-  return std::none_of(rule.parameters.begin(), rule.parameters.end(),
+bool is_callable(std::vector<ir::Parameter> const& parameters) {
+  return std::none_of(parameters.begin(), parameters.end(),
                       [](ir::Parameter const& p) { return p.external != nullptr; });
 }
 
@@ -88,6 +88,14 @@ struct PluginRule {
   Function function;
   std::string name_space;
   std::string modeler;  // "::surface::Surface"
+  std::size_t modeler_index;
+  std::string module;
+};
+
+struct PluginOperation {
+  ir::Operation const* operation;
+  std::string function;  // "::surface::house"
+  std::string modeler;
   std::size_t modeler_index;
   std::string module;
 };
@@ -135,10 +143,10 @@ void write_apply(Writer& out, PluginRule const& rule, std::size_t number) {
   out.close();
 }
 
-void write_computed_defaults(Writer& out, ir::RuleScheme const& rule, std::size_t number) {
+void write_computed_defaults(Writer& out, std::vector<ir::Parameter> const& parameters, std::size_t number) {
   out.open("Value computed_default_{}(std::size_t parameter) {{", number);
-  for (std::size_t p = 0; p < rule.parameters.size(); ++p) {
-    ir::Parameter const& parameter = rule.parameters[p];
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    ir::Parameter const& parameter = parameters[p];
     if (parameter.computed_default) {
       out.line("if (parameter == {}) return Value(std::in_place_type<{}>, {});", p, type_name(parameter.type),
                constant_expression(*parameter.computed_default));
@@ -148,23 +156,23 @@ void write_computed_defaults(Writer& out, ir::RuleScheme const& rule, std::size_
   out.close();
 }
 
-bool has_computed_default(ir::RuleScheme const& rule) {
-  return std::any_of(rule.parameters.begin(), rule.parameters.end(),
+bool has_computed_default(std::vector<ir::Parameter> const& parameters) {
+  return std::any_of(parameters.begin(), parameters.end(),
                      [](ir::Parameter const& p) { return p.computed_default != nullptr; });
 }
 
 // A RuleCode; the functions that it names are written before.
 std::string write_code(Writer& out, PluginRule const& rule, std::size_t number) {
   Function const& f = rule.function;
-  if (!is_callable(f.rule)) return "{}";
+  if (!is_callable(f.rule.parameters)) return "{}";
   write_apply(out, rule, number);
-  if (has_computed_default(f.rule)) write_computed_defaults(out, f.rule, number);
+  if (has_computed_default(f.rule.parameters)) write_computed_defaults(out, f.rule.parameters, number);
   OrbitType type;
   for (Letter const letter : f.rule.hook_type) type.words.push_back({letter});
   return fmt::format("{{apply_{}, {}, {}, {}}}", number,
                      f.independent ? fmt::format("apply_{}_at_once", number) : "nullptr",
                      f.rule.hooks.size() == 1 ? fmt::format("[] {{ return {}; }}", orbit_expression(type)) : "nullptr",
-                     has_computed_default(f.rule) ? fmt::format("computed_default_{}", number) : "nullptr");
+                     has_computed_default(f.rule.parameters) ? fmt::format("computed_default_{}", number) : "nullptr");
 }
 
 // A jrule_modeler; its embeddings are written before.
@@ -183,6 +191,62 @@ std::string write_modeler(Writer& out, ir::Modeler const& modeler, std::size_t n
                      embeddings.elements.size(), embeddings.reference());
 }
 
+Array parameter_array(std::vector<ir::Parameter> const& all, std::size_t number) {
+  Array parameters{"jrule_parameter", fmt::format("parameters_{}", number), {}};
+  for (ir::Parameter const& p : all) {
+    parameters.elements.push_back(fmt::format("{{{}, {}, {}, {}, {}}}", literal(p.name), doc_literal(p.doc),
+                                              literal(p.unit), type_code(p.type),
+                                              default_members(p.default_value, p.computed_default != nullptr)));
+  }
+  return parameters;
+}
+
+// The parameters that are values.
+std::vector<ir::Parameter> value_parameters(ir::Operation const& operation) {
+  std::vector<ir::Parameter> values = operation.parameters;
+  std::erase_if(values, [](ir::Parameter const& p) { return p.dart; });
+  return values;
+}
+
+// A jrule_rule that is an operation; what it points to is written before.
+std::string write_operation(Writer& out, PluginOperation const& entry, std::size_t number) {
+  ir::Operation const& operation = *entry.operation;
+  Array darts{"jrule_hook", fmt::format("hooks_{}", number), {}}, nodes{"jrule_node", fmt::format("nodes_{}", number), {}};
+  for (ir::Parameter const& p : operation.parameters) {
+    if (p.dart) darts.elements.push_back(fmt::format("{{{}, {}, {}}}", literal(p.name), doc_literal(p.doc), literal("<>")));
+  }
+  Array const parameters = parameter_array(value_parameters(operation), number);
+  if (operation.result == ir::dart_type) nodes.elements.push_back("{\"result\", \"\"}");
+  for (Array const* array : {static_cast<Array const*>(&darts), &parameters, static_cast<Array const*>(&nodes)}) write(out, *array);
+  return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}", literal(operation.name), literal(entry.module), doc_literal(operation.doc),
+                     not_callable(operation.parameters), entry.modeler_index, darts.elements.size(), darts.reference(), parameters.elements.size(),
+                     nodes.elements.size(), parameters.reference(), nodes.reference());
+}
+
+// A RuleCode of an operation; the functions that it names are written before.
+std::string write_operation_code(Writer& out, PluginOperation const& entry, std::size_t number) {
+  ir::Operation const& operation = *entry.operation;
+  if (!is_callable(operation.parameters)) return "{}";
+  std::vector<ir::Parameter> const values = value_parameters(operation);
+  std::vector<std::string> list{fmt::format("as<{}>(map)", entry.modeler)};
+  std::size_t dart = 0, value = 0;
+  for (ir::Parameter const& p : operation.parameters) {
+    list.push_back(p.dart ? fmt::format("darts[{}]", dart++) : argument(p, value++));
+  }
+  list.push_back("progress");
+  out.line();
+  out.line("// {}: the operation `{}`.", entry.module, operation.name);
+  out.open("Result<void> run_{}(AnyMap& map, [[maybe_unused]] Dart const* darts, [[maybe_unused]] Value const* arguments, "
+           "operation::Progress const& progress, [[maybe_unused]] Dart* result) {{", number);
+  out.line("auto const done = {}({});", entry.function, fmt::join(list, ", "));
+  out.line("if (!done) return tl::unexpected(done.error());");
+  if (operation.result == ir::dart_type) out.line("*result = *done;");
+  out.line("return {{}};");
+  out.close();
+  if (has_computed_default(values)) write_computed_defaults(out, values, number);
+  return fmt::format("{{nullptr, nullptr, nullptr, {}, run_{}}}", has_computed_default(values) ? fmt::format("computed_default_{}", number) : "nullptr", number);
+}
+
 // A jrule_rule; what it points to is written before.
 std::string write_rule(Writer& out, PluginRule const& entry, std::size_t number) {
   ir::RuleScheme const& rule = entry.function.rule;
@@ -192,19 +256,14 @@ std::string write_rule(Writer& out, PluginRule const& entry, std::size_t number)
     hooks.elements.push_back(
         fmt::format("{{{}, {}, {}}}", literal(node.name), doc_literal(node.doc), literal(hook_orbit(rule, hook))));
   }
-  Array parameters{"jrule_parameter", fmt::format("parameters_{}", number), {}};
-  for (ir::Parameter const& p : rule.parameters) {
-    parameters.elements.push_back(fmt::format("{{{}, {}, {}, {}, {}}}", literal(p.name), doc_literal(p.doc),
-                                              literal(p.unit), type_code(p.type),
-                                              default_members(p.default_value, p.computed_default != nullptr)));
-  }
+  Array const parameters = parameter_array(rule.parameters, number);
   Array nodes{"jrule_node", fmt::format("nodes_{}", number), {}};
   for (ir::Node const& node : rule.nodes) {
     if (!node.deleted()) nodes.elements.push_back(fmt::format("{{{}, {}}}", literal(node.name), doc_literal(node.doc)));
   }
-  for (Array const* array : {&hooks, &parameters, &nodes}) write(out, *array);
+  for (Array const* array : {static_cast<Array const*>(&hooks), &parameters, static_cast<Array const*>(&nodes)}) write(out, *array);
   return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}", literal(rule.name), literal(entry.module),
-                     doc_literal(rule.doc), not_callable(rule), entry.modeler_index, hooks.elements.size(),
+                     doc_literal(rule.doc), not_callable(rule.parameters), entry.modeler_index, hooks.elements.size(),
                      hooks.reference(), parameters.elements.size(), nodes.elements.size(), parameters.reference(),
                      nodes.reference());
 }
@@ -212,6 +271,7 @@ std::string write_rule(Writer& out, PluginRule const& entry, std::size_t number)
 struct PluginTables {
   std::vector<PluginModeler> modelers;
   std::vector<PluginRule> rules;
+  std::vector<PluginOperation> operations;
 
   // Modules share the modelers that they import.
   std::size_t add(ir::Modeler const& modeler, Class const& in_cpp) {
@@ -234,6 +294,12 @@ struct PluginTables {
       rules.push_back({Function(module.rules[i], module.sources, names.rules[i], scope), names.name_space,
                        modelers[modeler].name, modeler, module.program.module});
     }
+    for (std::size_t i = 0; i < module.program.operations.size(); ++i) {
+      ir::Operation const& operation = module.program.operations[i];
+      std::size_t const modeler = add(*operation.modeler, names.class_of(*operation.modeler));
+      operations.push_back({&operation, fmt::format("::{}::{}", names.name_space, names.operations[i].function), modelers[modeler].name, modeler,
+                            module.program.module});
+    }
   }
 
   std::string write_all(std::string const& plugin) const {
@@ -248,11 +314,13 @@ struct PluginTables {
     Array rule_codes{"RuleCode", "rule_codes", {}};
     for (std::size_t r = 0; r < rules.size(); ++r) rule_table.elements.push_back(write_rule(out, rules[r], r));
     for (std::size_t r = 0; r < rules.size(); ++r) rule_codes.elements.push_back(write_code(out, rules[r], r));
+    for (std::size_t o = 0; o < operations.size(); ++o) rule_table.elements.push_back(write_operation(out, operations[o], rules.size() + o));
+    for (std::size_t o = 0; o < operations.size(); ++o) rule_codes.elements.push_back(write_operation_code(out, operations[o], rules.size() + o));
     out.line();
     for (Array const* array : {&modeler_table, &modeler_codes, &rule_table, &rule_codes}) write(out, *array);
     auto const span = [](Array const& array) { return array.elements.empty() ? "{}" : array.name; };
-    out.line("constexpr Table table{{{}, {}, {}, {}, {}}};", literal(plugin), span(modeler_table), span(modeler_codes),
-             span(rule_table), span(rule_codes));
+    out.line("constexpr Table table{{{}, {}, {}, {}, {}, {}}};", literal(plugin), span(modeler_table), span(modeler_codes),
+             span(rule_table), span(rule_codes), rules.size());
     return out.all();
   }
 };

@@ -12,9 +12,9 @@ namespace jrule::cpp {
 
 /// The pattern, the match columns and the tests of the left side, of one application. Like interpreter.cpp's find_match().
 void write_match(Writer& out, Function const& f);
-/// The same of all applications; those that are refused are left out. Like find_all_matches(). `text` follows, and what it
-/// mentions is declared.
-void write_all_matches(Writer& out, Function const& f, std::string const& text);
+/// The same of all applications, which `find` gives; those that are refused are left out. Like find_all_matches(). `text` follows, and
+/// what it mentions is declared.
+void write_all_matches(Writer& out, Function const& f, std::string const& find, std::string const& text);
 /// Without columns: refuses, by returning false, if a test fails anywhere. Nothing if there is no test.
 void write_dense_checks(Writer& out, Function const& f);
 /// Lets and requirements, from the map before.

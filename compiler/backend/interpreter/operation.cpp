@@ -57,10 +57,10 @@ struct Frame {
 
   Local call(ir::RuleCall const& c) {
     ir::RuleScheme const& rule = machine.runnable.program.rules[c.rule];
+    machine.run.step();
     std::vector<Dart> darts;
     for (ir::ExprPtr const& d : c.darts) darts.push_back(dart(d));
     std::vector<Value> const arguments = values(c.values);
-    machine.run.step();
     Applied applied = machine.run.applied(
         interpreter::apply(rule, machine.runnable.verdicts[c.rule].plan, machine.map, darts, arguments, machine.workspace));
     CallResult result{c.rule, {}, std::move(applied.copies)};
@@ -110,12 +110,11 @@ struct Frame {
   }
   void execute(ir::ApplyAll const& s) {
     ir::RuleScheme const& rule = machine.runnable.program.rules[s.rule];
+    machine.run.step();
     std::vector<Value> const arguments = values(s.values);
     Dart const at = dart_in_map(s.at);
-    machine.run.step();
-    auto applied = interpreter::apply_all_within(rule, machine.runnable.verdicts[s.rule].plan, machine.map, s.orbit, at, arguments, machine.workspace);
-    std::size_t const count = applied.value_or(0);
-    machine.run.applied(std::move(applied), count);
+    machine.run.applied_everywhere(
+        interpreter::apply_all_within(rule, machine.runnable.verdicts[s.rule].plan, machine.map, s.orbit, at, arguments, machine.workspace));
   }
 
   // False if it failed, and then the map and the variables are as they were.

@@ -42,6 +42,18 @@ struct Collection {
     if (auto const* const call = std::get_if<ir::Call>(&expr->value)) add(call->function);
     for (ir::ExprPtr const& part : ir::parts(*expr)) add(part);
   }
+  void add(std::vector<ir::Parameter> const& parameters) {
+    for (ir::Parameter const& parameter : parameters) {
+      add(parameter.external);
+      add(parameter.computed_default);
+    }
+  }
+  void add(ir::Block const& block) {
+    for (ir::Statement const& statement : block) {
+      for (ir::ExprPtr const& expr : ir::expressions(statement)) add(expr);
+      for (ir::Block const* inner : ir::blocks(statement)) add(*inner);
+    }
+  }
 };
 
 Spelled<std::string> spell_place(std::string const& header, std::string const& cpp_name) {
@@ -57,7 +69,7 @@ Unspellable already(std::string const& name) { return {fmt::format("`{}` is a na
 
 }  // namespace
 
-Externs externs_of(std::vector<std::shared_ptr<ir::Modeler const>> const& modelers, std::vector<ir::RuleScheme> const& rules) {
+Externs externs_of(std::vector<std::shared_ptr<ir::Modeler const>> const& modelers, ir::Program const& program) {
   Collection collection;
   for (auto const& modeler : modelers) {
     for (ir::EmbeddingExterns const& embedding : modeler->externs) {
@@ -66,14 +78,16 @@ Externs externs_of(std::vector<std::shared_ptr<ir::Modeler const>> const& modele
       collection.add(embedding.merge);
     }
   }
-  for (ir::RuleScheme const& rule : rules) {
-    for (ir::Parameter const& parameter : rule.parameters) {
-      collection.add(parameter.external);
-      collection.add(parameter.computed_default);
-    }
+  for (ir::RuleScheme const& rule : program.rules) {
+    collection.add(rule.parameters);
     for (ir::Let const& let : rule.lets) collection.add(let.value);
     for (ir::Requirement const& requirement : rule.requirements) collection.add(requirement.condition);
     for (ir::Clause const& clause : rule.clauses) collection.add(clause.value);
+  }
+  for (ir::Operation const& operation : program.operations) {
+    collection.add(operation.parameters);
+    if (operation.result) collection.add(operation.result->external);
+    collection.add(operation.body);
   }
   return std::move(collection.found);
 }

@@ -14,8 +14,8 @@ struct Externs {
   std::vector<ir::ExternFunctionPtr> functions;
 };
 
-/// The extern types and functions that the modelers and rules name.
-Externs externs_of(std::vector<std::shared_ptr<ir::Modeler const>> const& modelers, std::vector<ir::RuleScheme> const& rules);
+/// The extern types and functions that the modelers, and the program's rules and operations name.
+Externs externs_of(std::vector<std::shared_ptr<ir::Modeler const>> const& modelers, ir::Program const& program);
 
 /// The items `extern …;`.
 Spelled<std::string> spell(ir::ExternType const& type);

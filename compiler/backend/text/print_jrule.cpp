@@ -12,6 +12,7 @@
 #include "compiler/backend/text/expression.h"
 #include "compiler/backend/text/externs.h"
 #include "compiler/backend/text/model.h"
+#include "compiler/backend/text/operation.h"
 #include "compiler/backend/text/rule.h"
 #include "compiler/source/diagnostic.h"
 #include "compiler/syntax/format.h"
@@ -36,8 +37,7 @@ bool has_shape_of_a_name(std::string const& text) {
 }
 
 /// The first name that is none; null if all are.
-std::string const* find_bad_name(std::vector<ModelerPtr> const& modelers, std::vector<ir::RuleScheme> const& rules,
-                                 Externs const& externs) {
+std::string const* find_bad_name(std::vector<ModelerPtr> const& modelers, ir::Program const& program, Externs const& externs) {
   auto const bad = [](auto const& things) -> std::string const* {
     auto const found = std::find_if(things.begin(), things.end(), [](auto const& t) { return !has_shape_of_a_name(t.name); });
     return found == things.end() ? nullptr : &found->name;
@@ -54,7 +54,10 @@ std::string const* find_bad_name(std::vector<ModelerPtr> const& modelers, std::v
     if (!has_shape_of_a_name(function->name)) return &function->name;
     if (auto const* name = bad(function->parameters)) return name;
   }
-  for (ir::RuleScheme const& rule : rules) {
+  for (ir::Operation const& operation : program.operations) {
+    if (auto const* name = bad(operation.variables)) return name;
+  }
+  for (ir::RuleScheme const& rule : program.rules) {
     if (auto const* name = bad(rule.nodes)) return name;
     if (auto const* name = bad(rule.parameters)) return name;
     if (auto const* name = bad(rule.lets)) return name;
@@ -73,14 +76,15 @@ std::string item_name(std::string const& name) {
   return text;
 }
 
-/// The names of the rules, all different; none, if an item has the name of another one.
-Spelled<std::vector<std::string>> name_rules(std::vector<ir::RuleScheme> const& rules, std::set<std::string> taken) {
-  std::vector<std::string> names(rules.size());
+/// The names of rules or operations, all different; none, if an item has the name of another one.
+template <class Item>
+Spelled<std::vector<std::string>> name_items(std::vector<Item> const& items, std::set<std::string>& taken) {
+  std::vector<std::string> names(items.size());
   for (bool const instances : {false, true}) {
-    for (std::size_t i = 0; i < rules.size(); ++i) {
-      std::string name = item_name(rules[i].name);
-      if ((name != rules[i].name) != instances) continue;
-      if (!has_shape_of_a_name(name)) return unspellable(fmt::format("`{}` is no name of the language", rules[i].name));
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      std::string name = item_name(items[i].name);
+      if ((name != items[i].name) != instances) continue;
+      if (!has_shape_of_a_name(name)) return unspellable(fmt::format("`{}` is no name of the language", items[i].name));
       while (instances && taken.contains(name)) name += '_';
       if (!taken.insert(name).second) return unspellable(fmt::format("two items are called `{}`", name));
       names[i] = std::move(name);
@@ -95,12 +99,16 @@ bool same(ir::Modeler const& a, ir::Modeler const& b) {
   return a.name == b.name && a.model == b.model && a.embeddings == b.embeddings && a.module == b.module;
 }
 
-/// All modelers of the program, each once: its own, then those that only its rules name.
+/// All modelers of the program, each once: its own, then those that only its rules and operations name.
 std::vector<ModelerPtr> modelers_of(ir::Program const& program) {
   std::vector<ModelerPtr> all = program.modelers;
+  auto const add = [&](ModelerPtr const& modeler) {
+    if (std::none_of(all.begin(), all.end(), [&](ModelerPtr const& m) { return same(*m, *modeler); })) all.push_back(modeler);
+  };
   for (ir::RuleScheme const& rule : program.rules) {
-    if (std::none_of(all.begin(), all.end(), [&](ModelerPtr const& m) { return same(*m, *rule.modeler); })) all.push_back(rule.modeler);
+    add(rule.modeler);
   }
+  for (ir::Operation const& operation : program.operations) add(operation.modeler);
   return all;
 }
 
@@ -160,8 +168,8 @@ Spelled<std::string> canonical(std::string text) {
 Spelled<std::string> print_jrule(ir::Program const& program) {
   std::vector<ModelerPtr> const modelers = modelers_of(program);
   if (modelers.empty()) return unspellable("there is no modeler and no rule, and a file has at least one item");
-  Externs const externs = externs_of(modelers, program.rules);
-  if (auto const* name = find_bad_name(modelers, program.rules, externs)) return unspellable(fmt::format("`{}` is no name of the language", *name));
+  Externs const externs = externs_of(modelers, program);
+  if (auto const* name = find_bad_name(modelers, program, externs)) return unspellable(fmt::format("`{}` is no name of the language", *name));
   auto const models = declare_models(modelers);
   if (!models) return tl::unexpected(models.error());
 
@@ -189,11 +197,19 @@ Spelled<std::string> print_jrule(ir::Program const& program) {
     if (!item) return item;
     text += *item;
   }
-  auto const names = name_rules(program.rules, taken);
-  if (!names) return tl::unexpected(names.error());
+  auto const rules = name_items(program.rules, taken);
+  if (!rules) return tl::unexpected(rules.error());
+  auto const operations = name_items(program.operations, taken);
+  if (!operations) return tl::unexpected(operations.error());
+  ItemNames const names{*rules, *operations};
+  auto const on = [&](ir::Modeler const& modeler) { return is_bare(modeler) ? spell(modeler.model, *models) : modeler.name; };
   for (std::size_t i = 0; i < program.rules.size(); ++i) {
-    ir::RuleScheme const& rule = program.rules[i];
-    auto const item = spell_rule(rule, (*names)[i], is_bare(*rule.modeler) ? spell(rule.model(), *models) : rule.modeler->name);
+    auto const item = spell_rule(program.rules[i], names.rules[i], on(*program.rules[i].modeler));
+    if (!item) return item;
+    text += *item;
+  }
+  for (std::size_t i = 0; i < program.operations.size(); ++i) {
+    auto const item = spell_operation(program, i, names, on(*program.operations[i].modeler));
     if (!item) return item;
     text += *item;
   }

@@ -1,4 +1,4 @@
-// Rules as source text: the inverse of parsing and elaborating.
+// Rules and operations as source text: the inverse of parsing and elaborating.
 #pragma once
 
 #include <string>
@@ -16,17 +16,17 @@ struct Unspellable {
 template <class T>
 using Spelled = tl::expected<T, Unspellable>;
 
-/// A source file of the program's modelers, the models and the C++ that they need, and its rules, in canonical layout. Parsed and
+/// A source file of the program's modelers, the models and the C++ that they need, its rules and operations, in canonical layout. Parsed and
 /// elaborated under the name `program.module` it gives the same program again, but for:
 /// - spans, of course, and the words of requirements, which become canonical: `pi / 2` is a number;
 /// - modelers, extern types and extern functions that the program imports, which the file declares itself, so that it stands
 ///   alone;
-/// - imported rules, which the file declares itself too, `Terrain.quad` as `Terrain_quad`;
+/// - imported rules and operations, which the file declares itself too, `Terrain.quad` as `Terrain_quad`;
 /// - a rule that is an instance of a family: `sew[2]` is called `sew_2`, or `sew_2_` where that name is taken;
 /// - the order of arcs, where a hook's loops do not come first, and the numbers of nodes, where left nodes do not: text
 ///   has no other order. Programs that come from text keep both.
 ///
-/// The rules must satisfy ir::verify. Unspellable is what no text elaborates to, and sema never makes:
+/// Rules and operations must satisfy ir::verify. Unspellable is what no text elaborates to, and sema never makes:
 /// - names that are no names of the language, or that two things of one scope share;
 /// - a first hook without the loops of its type, hooks that are not in the order of the nodes, an arc twice on a side;
 /// - operations that constants decide, which sema computes; a `let` that is one of these, or before its declaration; paths that

@@ -173,22 +173,7 @@ class RuleSpeller {
 
   // ---- Text ----
 
-  std::string parameters() {
-    std::vector<std::string> texts;
-    for (ir::Parameter const& p : rule_.parameters) {
-      ir::ExprType const type = p.value_type();
-      if (p.default_value && ir::ExprType{type_of(*p.default_value)} != type) fail(fmt::format("the default of `{}` has another type", p.name));
-      std::string const doc = p.unit.empty() ? p.doc : fmt::format("[{}]{}{}", p.unit, p.doc.empty() ? "" : " ", p.doc);
-      auto const [unit, rest] = sema::split_unit(doc);
-      if (unit != p.unit || rest != p.doc) fail(fmt::format("the unit of `{}` is not told apart from its documentation", p.name));
-      std::string text = doc.empty() ? "" : "\n" + documentation(doc, "    ");
-      text += fmt::format("{}: {}", p.name, to_string(type));
-      if (p.default_value) text += " = " + spell_constant(*p.default_value);
-      if (p.computed_default) text += " = " + take(text::spell(*p.computed_default, ir::RuleScheme{}, group_, 0, type));
-      texts.push_back(std::move(text));
-    }
-    return texts.empty() ? "" : fmt::format("({})", fmt::join(texts, ", "));
-  }
+  std::string parameters() { return take(spell_parameters(rule_.parameters, group_)); }
 
   std::string left_node(ir::NodeId id, WrittenSide const& left) {
     ir::Node const& node = rule_.nodes[id];
@@ -280,6 +265,29 @@ Spelled<std::string> spell_documentation(std::string const& doc, std::string con
     begin = end + 1;
   }
   return text;
+}
+
+Spelled<std::string> spell_parameters(std::vector<ir::Parameter> const& parameters, algebra::Group const& group) {
+  auto const unspellable = [](std::string reason) { return tl::unexpected(Unspellable{std::move(reason)}); };
+  std::vector<std::string> texts;
+  for (ir::Parameter const& p : parameters) {
+    ir::ExprType const type = p.value_type();
+    if (p.default_value && ir::ExprType{type_of(*p.default_value)} != type) return unspellable(fmt::format("the default of `{}` has another type", p.name));
+    std::string const doc = p.unit.empty() ? p.doc : fmt::format("[{}]{}{}", p.unit, p.doc.empty() ? "" : " ", p.doc);
+    auto const [unit, rest] = sema::split_unit(doc);
+    if (unit != p.unit || rest != p.doc) return unspellable(fmt::format("the unit of `{}` is not told apart from its documentation", p.name));
+    auto const lines = spell_documentation(doc, "    ");
+    if (!lines) return lines;
+    std::string text = fmt::format("{}{}{}: {}", doc.empty() ? "" : "\n", *lines, p.name, to_string(type));
+    if (p.default_value) text += " = " + spell_constant(*p.default_value);
+    if (p.computed_default) {
+      auto const value = text::spell(*p.computed_default, ir::RuleScheme{}, group, 0, type);
+      if (!value) return value;
+      text += " = " + *value;
+    }
+    texts.push_back(std::move(text));
+  }
+  return texts.empty() ? "" : fmt::format("({})", fmt::join(texts, ", "));
 }
 
 Spelled<std::string> spell_rule(ir::RuleScheme const& rule, std::string const& name, std::string const& modeler) {

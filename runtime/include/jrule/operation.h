@@ -13,6 +13,7 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "jrule/map.h"
 #include "jrule/result.h"
@@ -44,12 +45,17 @@ class Run {
   void step() {
     if (progress_ && !progress_(applications_)) cancel();
   }
-  /// The rule's result. Throws Failure.
+  /// What an application of a rule has given. Throws Failure.
   template <class T>
-  T applied(Result<T>&& result, std::size_t count = 1) {
+  T applied(Result<T>&& result) {
     if (!result) throw Failure{std::move(result).error()};
-    applications_ += count;
-    if constexpr (!std::is_void_v<T>) return std::move(*result);
+    ++applications_;
+    return std::move(*result);
+  }
+  /// The same for applications at many orbits; `result` says at how many.
+  void applied_everywhere(Result<std::size_t> const& result) {
+    if (!result) throw Failure{result.error()};
+    applications_ += *result;
   }
   /// How many of them there were, those too that were undone.
   std::size_t applications() const noexcept { return applications_; }
@@ -102,13 +108,25 @@ class Undo {
 
 /// The statement `fail "message";`.
 [[noreturn]] void fail(std::string_view operation, std::string_view message);
-[[noreturn]] void report_dead(std::string_view operation, Dart d);
+[[noreturn]] void report_dead(std::string_view operation);
 /// The dart itself, if it is in the map: where the map is read. Throws Failure.
 inline Dart alive(Map const& map, Dart d, std::string_view operation) {
-  if (!map.contains(d)) report_dead(operation, d);
+  if (!map.contains(d)) report_dead(operation);
   return d;
 }
-/// `r.c[d]`: of a rule's copies of `c`, the one for the dart `d` of its pattern. `what` is "r.c". Throws Failure.
-Dart copy_for(std::span<Dart const> pattern, std::span<Dart const> copies, Dart d, std::string_view operation, std::string_view what);
+
+/// A rule's copies of one node, kept beyond its next application.
+class Copies {
+ public:
+  Copies() = default;
+  /// Both by pattern dart.
+  Copies(std::span<Dart const> pattern, std::span<Dart const> copies)
+      : pattern_(pattern.begin(), pattern.end()), copies_(copies.begin(), copies.end()) {}
+  /// `r.c[d]`: the copy for the dart `d` of the pattern. `what` is "r.c". Throws Failure. O(pattern).
+  Dart at(Dart d, std::string_view operation, std::string_view what) const;
+
+ private:
+  std::vector<Dart> pattern_, copies_;
+};
 
 }  // namespace jrule::operation

@@ -1,4 +1,4 @@
-/* Rules as a shared library that a program in any language can load: plain C, one exported symbol.
+/* Rules and operations as a shared library that a program in any language can load: plain C, one exported symbol.
  *
  * A host loads the library, looks up the object `jrule_plugin_entry`, a const jrule_plugin, and reads its first two
  * fields. If `abi_version` is not JRULE_PLUGIN_ABI_VERSION, or `struct_size` is less than sizeof(jrule_plugin), it
@@ -216,6 +216,16 @@ typedef struct jrule_plugin {
   int32_t (*value)(jrule_map const* map, uint32_t embedding, jrule_dart dart, jrule_value* value, jrule_error* error);
   int32_t (*set_value)(jrule_map* map, uint32_t embedding, jrule_dart dart, jrule_value const* value,
                        jrule_error* error);
+
+  /* From this one on, the `rules` are operations: programs that chain rules. Their `hooks` are the parameters that are
+   * darts, in their order, with "<>" as their orbit; they have one node, `result`, if they give a dart, and else none.
+   * apply() runs them too; apply_everywhere() does not. */
+  uint32_t first_operation;
+  /* The same as apply() for operations, with progress: `report` is asked before each application of a rule, `done` being
+   * 0 all the while, as nobody knows how many there will be. `progress` may be null. */
+  int32_t (*run)(jrule_map* map, uint32_t operation, jrule_dart const* darts, uint32_t dart_count,
+                 jrule_value const* arguments, uint32_t argument_count, jrule_progress const* progress,
+                 jrule_dart* results, uint32_t capacity, jrule_error* error);
 } jrule_plugin;
 
 #ifdef __cplusplus

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "jrule/map.h"
+#include "jrule/operation.h"
 #include "jrule/plugin.h"
 #include "jrule/result.h"
 #include "jrule/rewrite.h"
@@ -76,6 +77,9 @@ struct RuleCode {
   Result<void> (*apply_at_once)(AnyMap& map, Value const* arguments) = nullptr;
   OrbitType (*orbit)() = nullptr;                              ///< of the hook; null unless there is one hook
   Value (*computed_default)(std::size_t parameter) = nullptr;  ///< of JRULE_COMPUTED_DEFAULT; null if there is none
+  /// Of an operation, which has nothing else but defaults. Writes its result, if that is a dart.
+  Result<void> (*run)(AnyMap& map, Dart const* darts, Value const* arguments, operation::Progress const& progress,
+                      Dart* result) = nullptr;
 };
 
 /// What a plugin consists of. `code` is by modeler, `rule_code` by rule.
@@ -85,6 +89,7 @@ struct Table {
   std::span<ModelerCode const> modeler_code;
   std::span<jrule_rule const> rules;
   std::span<RuleCode const> rule_code;
+  std::uint32_t first_operation;  ///< among the rules
 };
 
 /// The functions of plugin.h, of the plugin of a table. They have C++ linkage, for their names are not to be seen; how
@@ -101,6 +106,10 @@ std::int32_t apply(Table const& table, jrule_map* map, std::uint32_t rule, jrule
 std::int32_t apply_everywhere(Table const& table, jrule_map* map, std::uint32_t rule, jrule_value const* arguments,
                               std::uint32_t argument_count, jrule_progress const* progress,
                               jrule_error* error) noexcept;
+std::int32_t run(Table const& table, jrule_map* map, std::uint32_t operation, jrule_dart const* darts,
+                 std::uint32_t dart_count, jrule_value const* arguments, std::uint32_t argument_count,
+                 jrule_progress const* progress, jrule_dart* results, std::uint32_t capacity,
+                 jrule_error* error) noexcept;
 std::int32_t modeler_of(Table const& table, jrule_map const* map, std::uint32_t* modeler, jrule_error* error) noexcept;
 std::int32_t summarize(Table const& table, jrule_map const* map, jrule_summary* summary, jrule_error* error) noexcept;
 std::int32_t count_darts(Table const& table, jrule_map const* map, std::uint32_t* count, std::uint32_t* limit,
@@ -167,6 +176,8 @@ constexpr jrule_plugin entry() {
       .orbit = Of<table, plugin::orbit>::call,
       .value = Of<table, plugin::value>::call,
       .set_value = Of<table, plugin::set_value>::call,
+      .first_operation = table.first_operation,
+      .run = Of<table, plugin::run>::call,
   };
 }
 

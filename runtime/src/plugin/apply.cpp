@@ -90,26 +90,49 @@ Outcome apply_in_turn(jrule_map& map, jrule_rule const& rule, RuleCode const& co
 
 }  // namespace
 
+namespace {
+
+// `progress` is asked by operations only.
+Outcome apply_once(Table const& table, jrule_map* map, std::uint32_t rule, jrule_dart const* hooks, std::uint32_t hook_count,
+                   jrule_value const* arguments, std::uint32_t argument_count, jrule_progress const* progress,
+                   jrule_dart* darts, std::uint32_t capacity) {
+  auto const found = find_rule(table, map, rule);
+  if (!found) return tl::unexpected(found.error());
+  jrule_rule const& known = **found;
+  RuleCode const& code = table.rule_code[rule];
+  if (auto const counted = check_count(known, "hook", hooks, hook_count, known.hook_count); !counted) return counted;
+  if (darts == nullptr ? capacity != 0 : capacity < known.node_count) {
+    return bad_argument(
+        fmt::format("`{}` gives {} darts: there has to be room for them, or null and 0", known.name, known.node_count));
+  }
+  auto const values = convert(known, code, arguments, argument_count);
+  if (!values) return tl::unexpected(values.error());
+  std::vector<Dart> result(known.node_count);
+  auto const ask = [&](std::size_t) { return go_on(progress, 0); };
+  auto const applied = code.run == nullptr ? code.apply(*map->content, hooks, values->data(), result.data())
+                                           : code.run(*map->content, hooks, values->data(), ask, result.data());
+  if (!applied) return failed(applied.error());
+  if (darts != nullptr) std::copy(result.begin(), result.end(), darts);
+  return {};
+}
+
+}  // namespace
+
 std::int32_t apply(Table const& table, jrule_map* map, std::uint32_t rule, jrule_dart const* hooks,
                    std::uint32_t hook_count, jrule_value const* arguments, std::uint32_t argument_count,
                    jrule_dart* darts, std::uint32_t capacity, jrule_error* error) noexcept {
+  return guarded(error, [&] {
+    return apply_once(table, map, rule, hooks, hook_count, arguments, argument_count, nullptr, darts, capacity);
+  });
+}
+
+std::int32_t run(Table const& table, jrule_map* map, std::uint32_t operation, jrule_dart const* darts,
+                 std::uint32_t dart_count, jrule_value const* arguments, std::uint32_t argument_count,
+                 jrule_progress const* progress, jrule_dart* results, std::uint32_t capacity,
+                 jrule_error* error) noexcept {
   return guarded(error, [&]() -> Outcome {
-    auto const found = find_rule(table, map, rule);
-    if (!found) return tl::unexpected(found.error());
-    jrule_rule const& known = **found;
-    RuleCode const& code = table.rule_code[rule];
-    if (auto const counted = check_count(known, "hook", hooks, hook_count, known.hook_count); !counted) return counted;
-    if (darts == nullptr ? capacity != 0 : capacity < known.node_count) {
-      return bad_argument(fmt::format("`{}` gives {} darts: there has to be room for them, or null and 0", known.name,
-                                      known.node_count));
-    }
-    auto const values = convert(known, code, arguments, argument_count);
-    if (!values) return tl::unexpected(values.error());
-    std::vector<Dart> result(known.node_count);
-    auto const applied = code.apply(*map->content, hooks, values->data(), result.data());
-    if (!applied) return failed(applied.error());
-    if (darts != nullptr) std::copy(result.begin(), result.end(), darts);
-    return {};
+    if (operation < table.first_operation) return bad_argument(fmt::format("{} is a rule, not an operation", operation));
+    return apply_once(table, map, operation, darts, dart_count, arguments, argument_count, progress, results, capacity);
   });
 }
 
@@ -121,6 +144,7 @@ std::int32_t apply_everywhere(Table const& table, jrule_map* map, std::uint32_t 
     if (!found) return tl::unexpected(found.error());
     jrule_rule const& known = **found;
     RuleCode const& code = table.rule_code[rule];
+    if (code.run != nullptr) return bad_argument(fmt::format("`{}` is an operation, which is not applied everywhere", known.name));
     if (known.hook_count != 1) {
       return bad_argument(fmt::format("`{}` has {} hooks: only a rule of one hook can be applied everywhere",
                                       known.name, known.hook_count));
