@@ -86,7 +86,7 @@ Outcome outcome(Map const& start, std::size_t limit, Run run) {
 }
 
 TEST(GeneratedOperations, DoWhatTheInterpreterDoes) {
-  std::size_t const count = static_cast<std::size_t>(std::max(60, case_count() / 50));
+  std::size_t const count = static_cast<std::size_t>(std::max(30, case_count() / 125));
   constexpr std::size_t batch = 30;
   std::size_t done = 0, failed = 0, cancelled = 0;
   Random random(case_seed());
