@@ -66,7 +66,7 @@ TEST_F(Run, TakesDartsOfAMesh) {
 TEST_F(Run, FailsAndWritesNothing) {
   Outcome const failed = jrule({"run", "solid.jrule:roofs", "--in", demo("square.off"), "--at", "dart:0,dart:2", "height=1", "--out", "out.off"});
   EXPECT_EQ(failed.exit_status, 1);
-  EXPECT_EQ(failed.output, "jrule: error: `cone` is not applicable: the 2-arc of `a` has to be a loop, but from dart 2 it leads to dart 9\n");
+  EXPECT_EQ(failed.output, "jrule: error: `cone` is not applicable: the 2-arc of `a` has to be a loop, but from dart 2 it leads to dart 11\n");
   EXPECT_EQ(files(), std::vector<std::string>{"solid.jrule"});
 }
 
@@ -84,7 +84,7 @@ TEST_F(Run, ArgumentsAreChecked) {
   EXPECT_EQ(output({"run", "solid.jrule:house", "width=1"}), "jrule: error: `house` has no parameter `width`; it has `side`\n");
   EXPECT_EQ(output({"run", "solid.jrule:roofs", "--in", demo("square.off"), "--at", "dart:0,dart:2"}),
             "jrule: error: the parameter `height` of `roofs` is missing: write `height=0.5`\n");
-  EXPECT_EQ(output({"run", "missing.jrule:house"}), "missing.jrule: error: cannot read the file [J0001]\n");
+  EXPECT_EQ(output({"run", "missing.jrule:house"}), "jrule: error: cannot read `missing.jrule`: No such file or directory [J0001]\n");
 }
 
 TEST_F(Run, CppFromOutsideCannotBeRun) {

@@ -100,6 +100,33 @@ TEST_F(Extern, FunctionsStandInLetsRequirementsAndClauses) {
   EXPECT_EQ(map_.soil(made->a).name, "stone");
 }
 
+TEST_F(Extern, OperationsHoldValuesFromOutside) {
+  auto const made = field(map_, 0, geo::Soil("clay", 0.25));
+  ASSERT_TRUE(made);
+  auto const result = water(map_, made->a, 0);
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_EQ(result->name, "wet turned clay");
+  EXPECT_EQ(map_.soil(made->a).name, "turned clay");
+  EXPECT_EQ(map_.map().dart_count(), 16U);
+  // The second block runs, with a default of its own.
+  map_.set_soil(made->a, geo::Soil("stone", 0));
+  auto const other = water(map_, made->a, 0);
+  ASSERT_FALSE(other);
+  EXPECT_EQ(other.error().message.substr(0, 25), "`plough` is not applicabl");
+  EXPECT_EQ(map_.map().dart_count(), 16U);
+  map_.set_soil(made->a, geo::Soil("clay", 0.25));
+  // What a function throws is passed on, and nothing has changed.
+  EXPECT_THROW((void)water(map_, made->a, -1), std::domain_error);
+  EXPECT_EQ(map_.map().dart_count(), 16U);
+  EXPECT_EQ(map_.soil(made->a).name, "clay");
+  map_.set_soil(made->a, geo::Soil("sand", 0.75));
+  auto const soft = water(map_, made->a, 0);
+  ASSERT_FALSE(soft);
+  EXPECT_EQ(soft.error().message, "`water` failed: too soft");
+  EXPECT_EQ(map_.map().dart_count(), 16U);
+  expect_valid(map_.map());
+}
+
 TEST_F(Extern, FunctionsAggregateComprehensions) {
   make_neighbours();
   map_.set_soil(far_, geo::Soil("stone", 0.25));
