@@ -43,14 +43,11 @@ void check_independence(ir::Operation const& operation, ir::Block const& block, 
 
 // ---- Transactions ----
 
-bool reads_map_or_allocates(ir::ExprPtr const& expr) {
-  bool const scalar = std::holds_alternative<ir::Constant>(expr->value) || std::holds_alternative<ir::VariableRef>(expr->value) ||
-                      std::holds_alternative<ir::Apply>(expr->value) || std::holds_alternative<ir::Conditional>(expr->value);
+// Reading the map may fail, and so may whatever takes memory: to compute something does, in the interpreter.
+bool may_fail(ir::ExprPtr const& expr) {
+  if (expr->type.list || expr->type.external) return true;
   auto const* copy = std::get_if<ir::CopyOf>(&expr->value);
-  if (copy && !copy->at) return false;
-  if (!scalar || expr->type.list || expr->type.external) return true;
-  std::vector<ir::ExprPtr> const parts = ir::parts(*expr);
-  return std::any_of(parts.begin(), parts.end(), reads_map_or_allocates);
+  return !std::holds_alternative<ir::Constant>(expr->value) && !std::holds_alternative<ir::VariableRef>(expr->value) && (!copy || copy->at);
 }
 
 // Follows the statements in their order.
@@ -58,18 +55,18 @@ struct Walk {
   bool changed = false;  // may the map differ from what it was where the block began?
   bool fails = false;    // may a statement fail after that?
 
-  void may_fail() { fails = fails || changed; }
+  void fail_here() { fails = fails || changed; }
 
   void block(ir::Block const& statements) {
     for (ir::Statement const& s : statements) {
       auto const expressions = ir::expressions(s);
-      if (std::any_of(expressions.begin(), expressions.end(), reads_map_or_allocates)) may_fail();
+      if (std::any_of(expressions.begin(), expressions.end(), may_fail)) fail_here();
       std::visit([&](auto const& statement) { walk(statement); }, s.value);
     }
   }
   void call(ir::Origin const& origin) {
     if (std::holds_alternative<ir::ExprPtr>(origin)) return;
-    may_fail();
+    fail_here();
     changed = true;
   }
   void walk(ir::Set const& s) { call(s.value); }
@@ -77,9 +74,9 @@ struct Walk {
   void walk(ir::Return const& s) {
     if (s.value) call(*s.value);
   }
-  void walk(ir::Fail const&) { may_fail(); }
+  void walk(ir::Fail const&) { fail_here(); }
   void walk(ir::ApplyAll const&) {
-    may_fail();
+    fail_here();
     changed = true;
   }
   void walk(ir::If const& s) { either(s.then_block, s.else_block); }
@@ -97,17 +94,20 @@ struct Walk {
     block(body);
   }
   void walk(ir::For const& s) {
-    may_fail();  // the list of its darts
+    fail_here();  // the list of its darts
     loop(s.body);
   }
   void walk(ir::While const& s) {
-    may_fail();
+    fail_here();
     bool const before = changed;
     loop(s.body);
-    if (changed != before) may_fail();
+    if (changed != before) fail_here();
   }
   // What fails in the body is undone, but for what ends the operation whatever is tried: running out of memory, being cancelled.
-  void walk(ir::Try const& s) { either(s.body, s.otherwise); }
+  void walk(ir::Try const& s) {
+    fail_here();  // to remember what the variables were
+    either(s.body, s.otherwise);
+  }
 };
 
 }  // namespace

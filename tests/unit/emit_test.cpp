@@ -188,6 +188,63 @@ class Shape {
                   "jrule::Result<void> cone_everywhere(Shape& shape, std::int64_t scale, double height = 0.5, ");
 }
 
+TEST(Emit, OperationsReadAsTheyAreWritten) {
+  Emitted const emitted = emit_module(shapes + R"(
+/// Two cones, if there is room.
+operation cones(
+    /// of a face
+    first: Dart, n: Int = 2) on Shape -> Dart {
+  let top = cone(first, n);
+  let count = 0;
+  for e in face(first) by <0> { try { cone(e@2, n); count = count + 1; } else { fail "no room"; } }
+  if count == n { return top.d[first@0]; }
+  return top.d;
+}
+)");
+  expect_contains(emitted.header, R"(/// Two cones, if there is room.
+///
+/// shapes.jrule:23
+/// @param first  Dart: of a face
+/// @param n  Int, by default 2
+/// @param progress  asked before each application of a rule and each round of a `while`; false cancels
+/// @return what it gives; or why it has failed, and then nothing has changed
+jrule::Result<jrule::Dart> cones(Shape& shape,
+        jrule::Dart first,
+        std::int64_t n = std::int64_t{2},
+        jrule::operation::Progress const& progress = {});
+)");
+  expect_contains(emitted.code, R"(
+static jrule::Dart run_cones(Shape& shape, jrule::operation::Run& run, jrule::Dart first, std::int64_t n) {
+  jrule::operation::Call const call(run, "cones");
+  jrule::Map& map = shape.map();
+  auto const alive = [&](jrule::Dart at) { return jrule::operation::alive(map, at, "cones"); };
+  jrule::operation::Undo const undo(run, map, jrule::operation::Undo::Of::operation);
+  run.step();
+  ConeResult const top = run.applied(cone(shape, first, n, 0.5, jrule::Point3{0.0, 0.0, 1.0}));
+  jrule::operation::Copies top_d(top.copies.a, top.copies.d);
+  std::int64_t count = std::int64_t{0};
+  for (jrule::Dart const e : jrule::rewrite::representatives(map, jrule::orbit_of_dimensions({0, 1}), jrule::orbit_of_dimensions({0}), alive(first))) {
+    if (!map.contains(e)) continue;  // deleted meanwhile
+    auto const count_before = count;
+    try {
+      jrule::operation::Undo const undo_(run, map, jrule::operation::Undo::Of::call);
+      run.step();
+      run.applied(cone(shape, map.target(alive(e), 2), n, 0.5, jrule::Point3{0.0, 0.0, 1.0}));
+      count = jrule::add(count, std::int64_t{1});
+    } catch (jrule::operation::Failure const& failure) {
+      if (!failure.is_tried()) throw;
+      count = count_before;
+      jrule::operation::fail("cones", "no room");
+    }
+  }
+  if (count == n) {
+    return top_d.at(map.target(alive(first), 0), "cones", "top.d");
+  }
+  return top.d;
+}
+)");
+}
+
 TEST(Emit, CodeReadsFromTopToBottom) {
   std::string const code = emit_module(shapes).code;
   expect_contains(code, "#include \"shapes.h\"\n");

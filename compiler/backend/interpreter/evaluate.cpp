@@ -55,7 +55,7 @@ struct Reader {
     std::vector<Dart> const& copies = result.copies[c.node];
     if (!c.at) return copies.front();  // of the hook's dart
     Dart const at = std::get<Dart>(evaluate(*c.at));
-    return operation::Copies(result.pattern, copies).at(at, scene.locals->operation, c.result.name + "." + c.node_name);
+    return operation::Copies(result.copies[result.hook.value()], copies).at(at, scene.locals->operation, c.result.name + "." + c.node_name);
   }
   template <class Other>
   ir::Evaluated operator()(Other const&) {

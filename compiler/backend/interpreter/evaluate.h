@@ -1,6 +1,7 @@
 // Expressions on the map before the application.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -14,7 +15,7 @@ namespace jrule::interpreter {
 /// What a variable of an operation holds; nothing before it is declared.
 struct CallResult {
   std::size_t rule;                       ///< in the program
-  std::vector<Dart> pattern;              ///< empty if the rule deletes its hook, or has none
+  std::optional<ir::NodeId> hook;         ///< whose copies are the pattern, if the rule keeps it
   std::vector<std::vector<Dart>> copies;  ///< by node
 };
 using Local = std::variant<std::monostate, ir::Evaluated, CallResult>;

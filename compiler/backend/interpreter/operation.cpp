@@ -63,9 +63,9 @@ struct Frame {
     std::vector<Value> const arguments = values(c.values);
     Applied applied = machine.run.applied(
         interpreter::apply(rule, machine.runnable.verdicts[c.rule].plan, machine.map, darts, arguments, machine.workspace));
-    CallResult result{c.rule, {}, std::move(applied.copies)};
-    if (!rule.hooks.empty()) result.pattern = result.copies[rule.hooks[0]];
-    return result;
+    // Nothing here may fail any more: the map has changed.
+    bool const keeps_pattern = !rule.hooks.empty() && !rule.nodes[rule.hooks[0]].deleted();
+    return CallResult{c.rule, keeps_pattern ? std::optional(rule.hooks[0]) : std::nullopt, std::move(applied.copies)};
   }
   Local call(ir::OperationCall const& c) {
     std::vector<ir::Evaluated> arguments;
