@@ -27,6 +27,7 @@ class Module {
   /// Fails the test if there is none of that name.
   Rule const& rule(std::string const& name) const;
   std::size_t size() const { return rules_.size(); }
+  std::vector<Rule> const& rules() const { return rules_; }
 
  private:
   std::vector<Rule> rules_;

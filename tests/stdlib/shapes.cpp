@@ -83,6 +83,16 @@ Polygons torus(std::size_t n) {
   return result;
 }
 
+/// The embeddings after the first.
+void give_defaults(Map& map) {
+  for (std::size_t e = 1; e < map.embedding_count(); ++e) {
+    OrbitNumbers const orbits = number_orbits(map, map.embedding(e).spec().orbit);
+    std::vector<Handle> handles;
+    for (std::size_t i = 0; i < orbits.first.size(); ++i) handles.push_back(map.embedding(e).add_default().value());
+    for (Dart const d : map.darts()) map.embedding(e).set_handle(d, handles[orbits.number[d]]);
+  }
+}
+
 Polygons bunny() {
   Model const model = gmap(2);
   auto const map = read_map(JRULE_SOURCE_DIR "/examples/data/bunny.obj", model,
@@ -181,6 +191,7 @@ Map build(ir::Modeler const& modeler, Polygons const& polygons) {
     map.link(darts[0], 2, darts[1]);
     if (!oriented) map.link(map.target(darts[0], 0), 2, map.target(darts[1], 0));
   }
+  give_defaults(map);
   return map;
 }
 
@@ -211,7 +222,7 @@ std::vector<Solid> const& solids() {
     std::vector<Solid> made;
     for (Shape const& shape : platonic_solids()) made.push_back({shape.name, shape.polygons.points, {shape.polygons.faces}});
     for (std::size_t k = 0; k < 5; ++k) {
-      made.push_back({made[k].name + " and its outside", made[k].points, {made[k].volumes[0], made[k].volumes[0]}});
+      made.push_back(with_outside(made[k]));
     }
     Shape const sides = prism(5);
     made.push_back({sides.name, sides.polygons.points, {sides.polygons.faces}});
@@ -223,37 +234,61 @@ std::vector<Solid> const& solids() {
   return all;
 }
 
+Solid with_outside(Solid solid) {
+  std::map<Vertices, std::vector<Vertices>> by_vertices;
+  for (auto const& faces : solid.volumes) {
+    for (Vertices const& face : faces) by_vertices[ascending(face)].push_back(face);
+  }
+  std::vector<Vertices> outside;
+  for (auto const& [vertices, sides] : by_vertices) {
+    if (sides.size() == 1) outside.emplace_back(sides[0].rbegin(), sides[0].rend());
+  }
+  if (outside.empty()) return solid;
+  solid.volumes.push_back(std::move(outside));
+  solid.name += " and its outside";
+  return solid;
+}
+
 Map build(ir::Modeler const& modeler, Solid const& solid) {
   Map map(modeler.model, modeler.embeddings);
+  bool const oriented = modeler.model.is_oriented(1);
   std::vector<Handle> handles;
   for (Point3 const& p : solid.points) handles.push_back(map.embedding(0).add(p));
-  // The darts of the vertex a and the edge a b of a face, one for each of its sides; by the face's vertices, a and b.
-  std::map<std::vector<Vertices>, std::vector<Dart>> sides;
+  // The darts of an edge of a face, of its volumes: by the face's vertices and the edge's; in G-maps that at the lesser end.
+  std::map<std::vector<Vertices>, std::vector<Dart>> of_side;
+  auto const join = [&](std::vector<Dart> const& darts, int dimension) {
+    if (darts.size() != 2) throw std::runtime_error("an edge of " + std::to_string(darts.size()) + " faces");
+    map.link(darts[0], dimension, darts[1]);
+    if (!oriented) map.link(map.target(darts[0], 0), dimension, map.target(darts[1], 0));
+  };
   for (std::vector<Vertices> const& faces : solid.volumes) {
     std::map<Vertices, std::vector<Dart>> of_edge;  // of this volume
     for (Vertices const& face : faces) {
       std::size_t const n = face.size();
-      std::vector<Dart> const d = map.add_darts(2 * n);
+      std::vector<Dart> const d = map.add_darts(oriented ? n : 2 * n);
       for (std::size_t k = 0; k < n; ++k) {
         std::size_t const a = face[k], b = face[(k + 1) % n];
-        map.link(d[2 * k], 0, d[2 * k + 1]);
-        map.link(d[2 * k + 1], 1, d[(2 * k + 2) % (2 * n)]);
-        map.embedding(0).set_handle(d[2 * k], handles[a]);
-        map.embedding(0).set_handle(d[2 * k + 1], handles[b]);
-        of_edge[ascending({a, b})].push_back(a < b ? d[2 * k] : d[2 * k + 1]);
-        sides[{ascending(face), {a, b}}].push_back(d[2 * k]);
-        sides[{ascending(face), {b, a}}].push_back(d[2 * k + 1]);
+        Dart dart = oriented ? d[k] : d[2 * k];
+        map.embedding(0).set_handle(dart, handles[a]);
+        if (oriented) {
+          map.link(dart, 1, d[(k + 1) % n]);
+        } else {
+          Dart const end = d[2 * k + 1];
+          map.embedding(0).set_handle(end, handles[b]);
+          map.link(dart, 0, end);
+          map.link(end, 1, d[(2 * k + 2) % (2 * n)]);
+          if (b < a) dart = end;
+        }
+        of_edge[ascending({a, b})].push_back(dart);
+        of_side[{ascending(face), ascending({a, b})}].push_back(dart);
       }
     }
-    for (auto const& [ends, darts] : of_edge) {
-      if (darts.size() != 2) throw std::runtime_error("an edge of " + std::to_string(darts.size()) + " faces");
-      map.link(darts[0], 2, darts[1]);
-      map.link(map.target(darts[0], 0), 2, map.target(darts[1], 0));
-    }
+    for (auto const& [ends, darts] : of_edge) join(darts, 2);
   }
-  for (auto const& [side, darts] : sides) {
-    if (darts.size() == 2) map.link(darts[0], 3, darts[1]);
+  for (auto const& [side, darts] : of_side) {
+    if (darts.size() > 1 || oriented) join(darts, 3);
   }
+  give_defaults(map);
   return map;
 }
 

@@ -42,7 +42,10 @@ std::vector<Solid> const& solids();
 /// n × m × k cubes.
 Solid block(std::size_t n, std::size_t m, std::size_t k);
 
-/// A map of a modeler on gmap(3), likewise. Faces with the same vertices are glued.
+/// With a volume of all faces that belong to one volume only, turned round.
+Solid with_outside(Solid solid);
+
+/// A map of a modeler on gmap(3) or omap(3), likewise. Faces with the same vertices are glued. An O-map needs the outside.
 Map build(ir::Modeler const& modeler, Solid const& solid);
 
 }  // namespace jrule::test

@@ -2,6 +2,7 @@
 #include <array>
 #include <set>
 
+#include "jrule/typed.h"
 #include "tests/reference/plain_map.h"
 #include "tests/stdlib/application.h"
 #include "tests/stdlib/measure.h"
@@ -281,6 +282,31 @@ TEST(Cone, ClosesAFaceThatStandsByItself) {
       apply(halfedge_rule("cone"), halfedges, {0}, {point});
       EXPECT_EQ(summarize(halfedges).cells, summarize(map).cells);
       EXPECT_EQ(degeneracy(halfedges) + misplaced(halfedges), "");
+    }
+  }
+}
+
+TEST(Prism, ClosesWhatWasAddedFromNothing) {
+  Value const p = Point3{0, 0, 0}, q = Point3{2, 0, 0}, r = Point3{2, 2, 0}, s = Point3{0, 2, 0};
+  for (Family const family : Undo::families()) {
+    for (bool const quad : {false, true}) {
+      Module::Rule const& add = family(quad ? "add_quad" : "add_triangle");
+      std::size_t const n = quad ? 4 : 3;
+      Map map(add.scheme.modeler->model, add.scheme.modeler->embeddings);
+      auto const made = apply(add, map, {}, quad ? std::vector{p, q, r, s} : std::vector{p, q, r});
+      bool const oriented = map.model().is_oriented(1);
+      EXPECT_EQ(summarize(map).cells, (std::vector<std::size_t>{n, n, oriented ? 2U : 1U}));
+      auto const at = [&](Dart d) { return Value(rewrite::Values<Point3>(map.embedding(0))[d]); };
+      EXPECT_EQ(at(made[0][0]), p);
+      EXPECT_EQ(at(other_end(map, made[0][0])), q);
+      EXPECT_EQ(misplaced(map), "");
+      if (oriented) {  // its front side is a face that can be extruded
+        apply(family("extrude_face"), map, {made[0][0]}, {2.0});
+      } else {
+        apply(family("prism"), map, {made[0][0]}, {Vec3{0, 0, 2}});
+      }
+      EXPECT_TRUE(same(map, build(*add.scheme.modeler, prism(n).polygons)));
+      EXPECT_EQ(misplaced(map), "");
     }
   }
 }

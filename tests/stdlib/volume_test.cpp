@@ -49,16 +49,16 @@ Value const point = Point3{0.3, 0.2, 9}, shift = Vec3{0.3, 0.2, 9};
 
 std::vector<Edit> const edits{
     {"unsew_volumes", nullptr},  // vertices and edges may be opened too
-    {"insert_vertex", [](At const&) { return Cells{1, 1, 0, 0}; }},
-    {"triangulate_face", [](At const& a) { return Cells{1, a.sides(), a.sides() - 1, 0}; }},
-    {"remove_face", [](At const&) { return Cells{0, 0, -1, -1}; }},
-    {"extrude_face", [](At const& a) { return Cells{a.sides(), 2 * a.sides(), a.sides() + 1, 1}; }, {shift}},
-    {"pyramid", [](At const& a) { return Cells{1, a.sides(), a.sides(), 1}; }, {point}},
+    {"insert_vertex_solid", [](At const&) { return Cells{1, 1, 0, 0}; }},
+    {"triangulate_face_solid", [](At const& a) { return Cells{1, a.sides(), a.sides() - 1, 0}; }},
+    {"remove_face_solid", [](At const&) { return Cells{0, 0, -1, -1}; }},
+    {"extrude_face_solid", [](At const& a) { return Cells{a.sides(), 2 * a.sides(), a.sides() + 1, 1}; }, {shift}},
+    {"pyramid_solid", [](At const& a) { return Cells{1, a.sides(), a.sides(), 1}; }, {point}},
     {"cone_volume", [](At const& a) {
        return Cells{1, a.count({0, 1, 2}, {1, 2}), a.count({0, 1, 2}, {0, 2}), a.count({0, 1, 2}, {0, 1}) - 1};
      }},
     {"remove_volume", [](At const&) { return Cells{0, 0, 0, -1}; }},
-    {"chamfer_vertex", [](At const& a) {
+    {"chamfer_vertex_solid", [](At const& a) {
        return Cells{a.count({1, 2, 3}, {2, 3}) - 1, a.count({1, 2, 3}, {1, 3}), a.count({1, 2, 3}, {1, 2}), 1};
      }},
 };
@@ -109,7 +109,7 @@ std::vector<Refinement> const refinements{
        return Cells{c[0] + c[1] + c[2] + c[3], 2 * c[1] + count(m, {0, 3}) + count(m, {0, 1}),
                     count(m, {0, 3}) + count(m, {0, 2}), count(m, {1, 2})};
      }},
-    {"dual", [](Cells const& c, Map const&) { return Cells{c[3], c[2], c[1], c[0]}; }},
+    {"dual_solid", [](Cells const& c, Map const&) { return Cells{c[3], c[2], c[1], c[0]}; }},
 };
 
 TEST(Refinement, OfAllVolumes) {
@@ -126,7 +126,7 @@ TEST(Refinement, OfAllVolumes) {
       EXPECT_EQ(cells_of(map), refinement.cells(cells_of(start), start));
       EXPECT_EQ(summarize(map).euler, summarize(start).euler);
       EXPECT_EQ(map.dart_count() % start.dart_count(), 0U);
-      if (refinement.name == "dual") {
+      if (refinement.name == "dual_solid") {
         apply(r, map, {0});
         EXPECT_TRUE(same(map, start));
       } else {
@@ -196,11 +196,11 @@ TEST(SewVolumes, ClosesWhatUnsewVolumesOpened) {
 TEST(InsertEdge, CutsFacesOnBothSides) {
   std::set<std::string> applied;
   for (Solid const& solid : solids()) {
-    Map const start = build(*rule("insert_edge").scheme.modeler, solid);
+    Map const start = build(*rule("insert_edge_solid").scheme.modeler, solid);
     for (Dart const d : start.darts()) {
-      if (!refusal(rule("insert_edge"), start, {0, d}).empty()) continue;
+      if (!refusal(rule("insert_edge_solid"), start, {0, d}).empty()) continue;
       Map map = start;
-      apply(rule("insert_edge"), map, {0, d});
+      apply(rule("insert_edge_solid"), map, {0, d});
       Cells const was = cells_of(start);
       EXPECT_EQ(cells_of(map), (Cells{was[0], was[1] + 1, was[2] + 1, was[3]}));
       applied.insert(solid.name);
@@ -212,28 +212,133 @@ TEST(InsertEdge, CutsFacesOnBothSides) {
 TEST(RemoveFace, JoinsAPyramidToItsVolume) {
   // A free face gets a pyramid, and the two volumes become one.
   for (Solid const& solid : solids()) {
-    Map map = build(*rule("pyramid").scheme.modeler, solid);
+    Map map = build(*rule("pyramid_solid").scheme.modeler, solid);
     if (map.target(0, 3) != 0) continue;
     Cells const was = cells_of(map);
     long long const n = At{map, 0}.sides();
-    apply(rule("pyramid"), map, {0}, {point});
-    apply(rule("remove_face"), map, {0});
+    apply(rule("pyramid_solid"), map, {0}, {point});
+    apply(rule("remove_face_solid"), map, {0});
     EXPECT_EQ(cells_of(map), (Cells{was[0] + 1, was[1] + n, was[2] + n - 1, was[3]}));
   }
 }
 
 TEST(RemoveFace, NeedsTwoVolumes) {
   // Four cubes around an edge: when three of the four faces between them are gone, one volume is on both sides of the last.
-  Map map = build(*rule("remove_face").scheme.modeler, block(2, 2, 1));
+  Map map = build(*rule("remove_face_solid").scheme.modeler, block(2, 2, 1));
   for (int left = 4; left > 0; --left) {
     std::vector<Dart> const faces = cells(map, 2);
     auto const inside = std::find_if(faces.begin(), faces.end(), [&](Dart d) { return map.target(d, 3) != d; });
     ASSERT_NE(inside, faces.end());
     if (left == 1) {
-      EXPECT_NE(refusal(rule("remove_face"), map, {*inside}), "");
+      EXPECT_NE(refusal(rule("remove_face_solid"), map, {*inside}), "");
     } else {
-      apply(rule("remove_face"), map, {*inside});
+      apply(rule("remove_face_solid"), map, {*inside});
     }
+  }
+}
+
+// ---- From nothing ----
+
+TEST(Prisms, AndConesOfFacesThatStandByThemselves) {
+  Value const p = Point3{0, 0, 0}, q = Point3{2, 0, 0}, r = Point3{2, 2, 0}, s = Point3{0, 2, 0};
+  for (bool const quad : {false, true}) {
+    Module::Rule const& add = rule(quad ? "add_quad_solid" : "add_triangle_solid");
+    std::vector<Value> const corners = quad ? std::vector{p, q, r, s} : std::vector{p, q, r};
+    long long const n = quad ? 4 : 3;
+    Map face(add.scheme.modeler->model, add.scheme.modeler->embeddings);
+    auto const made = apply(add, face, {}, corners);
+    EXPECT_EQ(cells_of(face), (Cells{n, n, 1, 1}));
+    rewrite::Values<Point3> const positions(face.embedding(0));
+    EXPECT_EQ(Value(positions[made[0][0]]), p);
+    EXPECT_EQ(Value(positions[face.target(made[0][0], 0)]), q);
+    Map prism = face, cone = face;
+    apply(rule("prism_solid"), prism, {made[0][0]}, {shift});
+    EXPECT_EQ(cells_of(prism), (Cells{2 * n, 3 * n, n + 2, 1}));
+    apply(rule("cone_solid"), cone, {made[0][0]}, {point});
+    EXPECT_EQ(cells_of(cone), (Cells{n + 1, 2 * n, n + 1, 1}));
+    for (Map const* solid : {&prism, &cone}) {
+      EXPECT_EQ(misplaced(*solid), "");
+      EXPECT_EQ(summarize(*solid).euler, 1);
+      EXPECT_NE(refusal(rule("prism_solid"), *solid, {made[0][0]}, {shift}), "");
+    }
+  }
+}
+
+// ---- Oriented maps ----
+
+Module::Rule const& halfedge_rule(std::string const& name) {
+  static Module const module(JRULE_SOURCE_DIR "/stdlib/std/volume_halfedges.jrule");
+  return module.rule(name + "_halfedges");
+}
+
+struct HalfedgeEdit {
+  std::string name;
+  /// Of a face of n edges; of a volume of so many vertices, edges and faces.
+  Cells (*delta)(long long n, Cells const& volume);
+  std::vector<Value> arguments = {};
+};
+std::vector<HalfedgeEdit> const halfedge_edits{
+    {"insert_vertex_solid", [](long long, Cells const&) { return Cells{1, 1, 0, 0}; }},
+    {"triangulate_face_solid", [](long long n, Cells const&) { return Cells{1, n, n - 1, 0}; }},
+    {"remove_face_solid", [](long long, Cells const&) { return Cells{0, 0, -1, -1}; }},
+    {"extrude_face_solid", [](long long n, Cells const&) { return Cells{n, 2 * n, n + 1, 1}; }, {0.75}},
+    {"cone_volume", [](long long, Cells const& c) { return Cells{1, c[0], c[1], c[2] - 1}; }},
+};
+
+TEST(VolumesOfHalfedges, AreEditedAnywhere) {
+  for (HalfedgeEdit const& edit : halfedge_edits) {
+    Module::Rule const& r = halfedge_rule(edit.name);
+    std::set<std::string> applied;
+    for (Solid const& solid : solids()) {
+      Map const start = build(*r.scheme.modeler, with_outside(solid));
+      ASSERT_TRUE(summarize(start).valid);
+      for (Dart const d : start.darts()) {
+        if (d % (start.dart_count() / 30 + 1) != 0 || !refusal(r, start, {d}, edit.arguments).empty()) continue;
+        SCOPED_TRACE(edit.name + " on the " + solid.name + " at dart " + std::to_string(d));
+        applied.insert(solid.name);
+        Map map = start;
+        apply(r, map, {d}, edit.arguments);
+        auto const count = [&](OrbitType const& type) { return static_cast<long long>(orbit(start, type, d).size()); };
+        long long const edges = count(orbit_of_dimensions({1, 2})) / 2;
+        auto const faces = static_cast<long long>(count_inside(start, {1, 2}, {1}, d));
+        Cells const volume{2 + edges - faces, edges, faces, 1};  // all of them are spheres
+        Cells const was = cells_of(start), is = cells_of(map), delta = edit.delta(count(orbit_of_dimensions({1})), volume);
+        for (std::size_t i = 0; i < 4; ++i) ASSERT_EQ(is[i] - was[i], delta[i]) << "of dimension " << i;
+      }
+    }
+    EXPECT_GE(applied.size(), 5U) << edit.name;
+  }
+}
+
+TEST(VolumesOfHalfedges, AreRefinedAsThoseOfGeneralizedMaps) {
+  for (char const* name : {"tetrahedra", "hexahedra", "dual_solid"}) {
+    std::size_t applied = 0;
+    for (Solid const& solid : solids()) {
+      if (solid.points.size() > 40) continue;
+      SCOPED_TRACE(std::string(name) + " of the " + solid.name);
+      Map map = build(*rule(name).scheme.modeler, with_outside(solid));
+      Map halfedges = build(*halfedge_rule(name).scheme.modeler, with_outside(solid));
+      EXPECT_EQ(cells_of(map), cells_of(halfedges));
+      bool const applicable = refusal(rule(name), map, {0}).empty();
+      EXPECT_EQ(refusal(halfedge_rule(name), halfedges, {0}).empty(), applicable);
+      if (!applicable) continue;
+      ++applied;
+      apply(rule(name), map, {0});
+      apply(halfedge_rule(name), halfedges, {0});
+      EXPECT_EQ(cells_of(map), cells_of(halfedges));
+      EXPECT_EQ(places(map, 1e6), places(halfedges, 1e6));
+      EXPECT_EQ(map.dart_count(), 2 * halfedges.dart_count());
+    }
+    EXPECT_GE(applied, 5U) << name;
+  }
+}
+
+TEST(VolumesOfHalfedges, AreExtrudedOutwards) {
+  Module::Rule const& extrude = halfedge_rule("extrude_face_solid");
+  Map map = build(*extrude.scheme.modeler, with_outside(block(1, 1, 1)));
+  apply(extrude, map, {0}, {2.0});  // the face x = 0
+  for (long long const z : {0, 1}) {
+    for (long long const y : {0, 1}) EXPECT_TRUE(places(map, 1).contains({-2, y, z}));
   }
 }
 

@@ -1,0 +1,92 @@
+// The library as a whole: its modules side by side, on modelers that store more than positions.
+#include <filesystem>
+#include <set>
+
+#include "tests/stdlib/application.h"
+#include "tests/stdlib/shapes.h"
+
+namespace jrule::test {
+namespace {
+
+Module const& all() {
+  static Module const module(JRULE_SOURCE_DIR "/tests/stdlib/all.jrule");
+  return module;
+}
+
+TEST(Library, StandsSideBySide) {
+  std::set<std::string> names;
+  std::size_t rules = 0;
+  for (auto const& file : std::filesystem::directory_iterator(JRULE_SOURCE_DIR "/stdlib/std")) {
+    Module const module(file.path().string());
+    rules += module.size();
+    for (Module::Rule const& rule : module.rules()) {
+      EXPECT_TRUE(names.insert(rule.scheme.name).second) << rule.scheme.name << " is the name of two rules";
+      EXPECT_NE(rule.scheme.doc, "") << rule.scheme.name;
+      for (ir::Parameter const& parameter : rule.scheme.parameters) {
+        // Corners of what is added from nothing, in their order, say enough.
+        EXPECT_TRUE(!parameter.doc.empty() || rule.scheme.name.starts_with("add_")) << rule.scheme.name << ": " << parameter.name;
+      }
+    }
+  }
+  EXPECT_EQ(all().size(), rules);
+  EXPECT_EQ(names.size(), rules);
+}
+
+Map sample(ir::Modeler const& modeler, std::size_t k) {
+  if (modeler.model.dimension == 2) {
+    std::vector<Shape> const& solids = platonic_solids();
+    return k == 0 && !modeler.model.is_oriented(1) ? build(modeler, grid(3, 2).polygons) : build(modeler, solids[k].polygons);
+  }
+  return build(modeler, modeler.model.is_oriented(1) ? with_outside(solids()[k + 5]) : solids()[k + 5]);
+}
+
+std::vector<Value> arguments(ir::RuleScheme const& rule) {
+  std::vector<Value> values;
+  double next = 1;
+  for (ir::Parameter const& parameter : rule.parameters) {
+    double const numbers[] = {next, 0.5, 0.25};
+    values.push_back(parameter.default_value ? *parameter.default_value : from_components(parameter.type, numbers));
+    ++next;
+  }
+  return values;
+}
+
+// Wherever a rule is applied, each orbit of each embedding has one value afterwards.
+TEST(Library, KeepsTheValuesOfMoreEmbeddings) {
+  for (Module::Rule const& rule : all().rules()) {
+    SCOPED_TRACE(rule.scheme.name);
+    int applied = 0;
+    for (std::size_t k = 0; k < 5; ++k) {
+      Map start = sample(*rule.scheme.modeler, k);
+      number_values(start);
+      ASSERT_FALSE(find_violation(start));
+      std::vector<std::vector<Dart>> sites{{}};
+      for (std::size_t hook = 0; hook < rule.scheme.hooks.size(); ++hook) {
+        std::vector<std::vector<Dart>> more;
+        for (std::vector<Dart> const& site : sites) {
+          for (Dart const d : start.darts()) {
+            if (hook == 0 ? d % (start.dart_count() / 4) != 0 : d > 60) continue;
+            more.push_back(site);
+            more.back().push_back(d);
+          }
+        }
+        sites = std::move(more);
+      }
+      for (std::vector<Dart> const& site : sites) {
+        Map map = start;
+        if (!refusal(rule, map, site, arguments(rule.scheme)).empty()) continue;
+        apply(rule, map, site, arguments(rule.scheme));
+        if (++applied % 4 == 0) break;
+      }
+    }
+    // What stands by itself is made from nothing, and the corner of two edges by insert_vertex.
+    std::set<std::string> const elsewhere{"cone",           "cone_halfedges", "prism",       "prism_solid",
+                                          "cone_solid",     "remove_vertex",  "menger",      "remove_vertex_halfedges"};
+    if (!elsewhere.contains(rule.scheme.name)) {
+      EXPECT_GT(applied, 0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace jrule::test
