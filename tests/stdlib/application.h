@@ -8,8 +8,8 @@ namespace jrule::test {
 /// The value of each parameter if none is given.
 std::vector<Value> defaults(ir::RuleScheme const& rule);
 
-/// Applies the rule once, at these darts, and fails the test where it is not applicable. The map has to be valid afterwards.
-/// Without arguments the parameters have their defaults.
+/// Applies the rule once, at these darts, and fails the test where it is not applicable. The map has to be valid
+/// afterwards. Without arguments the parameters have their defaults.
 std::vector<std::vector<Dart>> apply(Module::Rule const& rule, Map& map, std::vector<Dart> const& hooks,
                                      std::vector<Value> const& arguments = {});
 /// Why it is not applicable there; empty if it is. The map has to stay as it was.

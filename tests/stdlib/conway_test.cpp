@@ -153,7 +153,7 @@ TEST_P(Conway, MakesTheCellsThatItShould) {
       Cells const old = cells_of(map);
       ASSERT_EQ(apply(*rule, map, {map.darts().front()}).empty(), false);
       Summary const is = summarize(map);
-      auto const total = [&](std::size_t const (&c)[3]) {
+      auto const total = [&](std::size_t const(&c)[3]) {
         return c[0] * was.cells[0] + c[1] * was.cells[1] + c[2] * was.cells[2];
       };
       EXPECT_EQ(is.cells, (std::vector<std::size_t>{total(op().V), op().E * was.cells[1], total(op().F)}));
@@ -212,8 +212,8 @@ INSTANTIATE_TEST_SUITE_P(Operators, Conway, testing::Range(std::size_t{0}, opera
                          [](auto const& test) { return operators[test.param].name; });
 
 TEST(ConwayModules, HaveNoOtherRules) {
-  std::size_t const chiral =
-      static_cast<std::size_t>(std::count_if(operators.begin(), operators.end(), [](Operator const& op) { return op.chiral; }));
+  std::size_t const chiral = static_cast<std::size_t>(
+      std::count_if(operators.begin(), operators.end(), [](Operator const& op) { return op.chiral; }));
   EXPECT_EQ(surfaces().size(), operators.size() - chiral);
   EXPECT_EQ(halfedges().size(), operators.size());
 }
@@ -223,10 +223,11 @@ TEST(ConwayModules, HaveNoOtherRules) {
 /// "d k d": from the right to the left.
 Map composed(std::string const& names, Map map, Module::Rule const& (*rule)(std::string const&)) {
   static std::map<char, std::string> const letters{
-      {'d', "dual"}, {'j', "join"}, {'a', "ambo"}, {'k', "kis"}, {'n', "needle"}, {'t', "truncate"}, {'z', "zip"},
-      {'o', "ortho"}, {'e', "expand"}, {'m', "meta"}, {'b', "bevel"}, {'c', "chamfer"}, {'u', "subdivide"},
-      {'g', "gyro"}, {'s', "snub"}, {'p', "propeller"}};
-  for (auto letter = names.rbegin(); letter != names.rend(); ++letter) map = applied(rule(letters.at(*letter)), std::move(map));
+      {'d', "dual"},      {'j', "join"},  {'a', "ambo"},   {'k', "kis"},      {'n', "needle"}, {'t', "truncate"},
+      {'z', "zip"},       {'o', "ortho"}, {'e', "expand"}, {'m', "meta"},     {'b', "bevel"},  {'c', "chamfer"},
+      {'u', "subdivide"}, {'g', "gyro"},  {'s', "snub"},   {'p', "propeller"}};
+  for (auto letter = names.rbegin(); letter != names.rend(); ++letter)
+    map = applied(rule(letters.at(*letter)), std::move(map));
   return map;
 }
 
@@ -236,11 +237,11 @@ struct Equation {
   bool chiral = false;
 };
 // Those of the rules' comments, and some that follow.
-Equation const equations[] = {{"dd", ""},    {"j", "da"},   {"jd", "j"},  {"a", "dj"},  {"ad", "a"},   {"k", "dz"},
-                              {"k", "dtd"},  {"n", "kd"},   {"t", "dkd"}, {"z", "dk"},  {"z", "td"},   {"o", "jj"},
-                              {"e", "do"},   {"e", "aa"},   {"m", "kj"},  {"md", "m"},  {"b", "dm"},   {"b", "ta"},
-                              {"c", "dud"},  {"u", "dcd"},  {"od", "o"},  {"ed", "e"},  {"g", "ds", true},
-                              {"s", "dg", true}, {"p", "dpd", true}};
+Equation const equations[] = {{"dd", ""},  {"j", "da"},  {"jd", "j"},       {"a", "dj"},       {"ad", "a"},
+                              {"k", "dz"}, {"k", "dtd"}, {"n", "kd"},       {"t", "dkd"},      {"z", "dk"},
+                              {"z", "td"}, {"o", "jj"},  {"e", "do"},       {"e", "aa"},       {"m", "kj"},
+                              {"md", "m"}, {"b", "dm"},  {"b", "ta"},       {"c", "dud"},      {"u", "dcd"},
+                              {"od", "o"}, {"ed", "e"},  {"g", "ds", true}, {"s", "dg", true}, {"p", "dpd", true}};
 
 void expect_equal(Equation const& equation, Map const& start, Module::Rule const& (*rule)(std::string const&)) {
   Map const left = composed(equation.left, start, rule), right = composed(equation.right, start, rule);

@@ -15,29 +15,33 @@ Module const& all() {
 
 TEST(Library, StandsSideBySide) {
   std::set<std::string> names;
-  std::size_t rules = 0;
   for (auto const& file : std::filesystem::directory_iterator(JRULE_SOURCE_DIR "/stdlib/std")) {
+    if (file.path().stem() == "basic") continue;  // families, of which there are notes
     Module const module(file.path().string());
-    rules += module.size();
     for (Module::Rule const& rule : module.rules()) {
+      if (rule.scheme.module != file.path().stem()) continue;  // operations use those of other modules
       EXPECT_TRUE(names.insert(rule.scheme.name).second) << rule.scheme.name << " is the name of two rules";
       EXPECT_NE(rule.scheme.doc, "") << rule.scheme.name;
       for (ir::Parameter const& parameter : rule.scheme.parameters) {
         // Corners of what is added from nothing, in their order, say enough.
-        EXPECT_TRUE(!parameter.doc.empty() || rule.scheme.name.starts_with("add_")) << rule.scheme.name << ": " << parameter.name;
+        EXPECT_TRUE(!parameter.doc.empty() || rule.scheme.name.starts_with("add_"))
+            << rule.scheme.name << ": " << parameter.name;
       }
     }
   }
-  EXPECT_EQ(all().size(), rules);
-  EXPECT_EQ(names.size(), rules);
+  std::set<std::string> together;
+  for (Module::Rule const& rule : all().rules()) together.insert(rule.scheme.name);
+  EXPECT_EQ(together, names);
 }
 
 Map sample(ir::Modeler const& modeler, std::size_t k) {
   if (modeler.model.dimension == 2) {
     std::vector<Shape> const& solids = platonic_solids();
-    return k == 0 && !modeler.model.is_oriented(1) ? build(modeler, grid(3, 2).polygons) : build(modeler, solids[k].polygons);
+    return k == 0 && !modeler.model.is_oriented(1) ? build(modeler, grid(3, 2).polygons)
+                                                   : build(modeler, solids[k].polygons);
   }
-  return build(modeler, modeler.model.is_oriented(1) ? with_outside(solids()[k + 5]) : solids()[k + 5]);
+  // A cube with its faces free, then solids without a border.
+  return k == 0 && !modeler.model.is_oriented(1) ? build(modeler, solids()[1]) : build(modeler, solids()[k + 5]);
 }
 
 std::vector<Value> arguments(ir::RuleScheme const& rule) {
@@ -80,8 +84,8 @@ TEST(Library, KeepsTheValuesOfMoreEmbeddings) {
       }
     }
     // What stands by itself is made from nothing, and the corner of two edges by insert_vertex.
-    std::set<std::string> const elsewhere{"cone",           "cone_halfedges", "prism",       "prism_solid",
-                                          "cone_solid",     "remove_vertex",  "menger",      "remove_vertex_halfedges"};
+    std::set<std::string> const elsewhere{
+        "cone", "cone_halfedges", "prism", "prism_solid", "cone_solid", "remove_vertex", "remove_vertex_halfedges"};
     if (!elsewhere.contains(rule.scheme.name)) {
       EXPECT_GT(applied, 0);
     }

@@ -61,7 +61,8 @@ std::string misplaced(Map const& map) {
     Point3 const p = positions[d];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) return "a vertex nowhere";
     auto const rounded = [](double x) { return std::llround(x * 1e9); };
-    if (!places.insert({rounded(p.x), rounded(p.y), rounded(p.z)}).second) return "two vertices at " + to_string(Value(p));
+    if (!places.insert({rounded(p.x), rounded(p.y), rounded(p.z)}).second)
+      return "two vertices at " + to_string(Value(p));
   }
   return {};
 }

@@ -19,8 +19,8 @@ std::size_t vertex_degree(Map const& map, Dart d);
 /// The dart of the same edge and face at the other end.
 Dart other_end(Map const& map, Dart d);
 
-/// Is there a face of less than three corners or with a corner twice, an edge from a vertex to itself, or two edges between
-/// the same vertices? What it is; empty if all is as in a polyhedron.
+/// Is there a face of less than three corners or with a corner twice, an edge from a vertex to itself, or two edges
+/// between the same vertices? What it is; empty if all is as in a polyhedron.
 std::string degeneracy(Map const& map);
 /// Two vertices in one place, or one nowhere? What it is, or empty.
 std::string misplaced(Map const& map);

@@ -203,8 +203,9 @@ Solid block(std::size_t n, std::size_t m, std::size_t k) {
       for (std::size_t z = 0; z <= k; ++z) {
         result.points.push_back({static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)});
         if (x == n || y == m || z == k) continue;
-        std::size_t const p[2][2][2] = {{{at(x, y, z), at(x, y, z + 1)}, {at(x, y + 1, z), at(x, y + 1, z + 1)}},
-                                        {{at(x + 1, y, z), at(x + 1, y, z + 1)}, {at(x + 1, y + 1, z), at(x + 1, y + 1, z + 1)}}};
+        std::size_t const p[2][2][2] = {
+            {{at(x, y, z), at(x, y, z + 1)}, {at(x, y + 1, z), at(x, y + 1, z + 1)}},
+            {{at(x + 1, y, z), at(x + 1, y, z + 1)}, {at(x + 1, y + 1, z), at(x + 1, y + 1, z + 1)}}};
         result.volumes.push_back({{p[0][0][0], p[0][0][1], p[0][1][1], p[0][1][0]},
                                   {p[1][0][0], p[1][1][0], p[1][1][1], p[1][0][1]},
                                   {p[0][0][0], p[1][0][0], p[1][0][1], p[0][0][1]},
@@ -220,7 +221,8 @@ Solid block(std::size_t n, std::size_t m, std::size_t k) {
 std::vector<Solid> const& solids() {
   static std::vector<Solid> const all = [] {
     std::vector<Solid> made;
-    for (Shape const& shape : platonic_solids()) made.push_back({shape.name, shape.polygons.points, {shape.polygons.faces}});
+    for (Shape const& shape : platonic_solids())
+      made.push_back({shape.name, shape.polygons.points, {shape.polygons.faces}});
     for (std::size_t k = 0; k < 5; ++k) {
       made.push_back(with_outside(made[k]));
     }
@@ -254,7 +256,8 @@ Map build(ir::Modeler const& modeler, Solid const& solid) {
   bool const oriented = modeler.model.is_oriented(1);
   std::vector<Handle> handles;
   for (Point3 const& p : solid.points) handles.push_back(map.embedding(0).add(p));
-  // The darts of an edge of a face, of its volumes: by the face's vertices and the edge's; in G-maps that at the lesser end.
+  // The darts of an edge of a face, of its volumes: by the face's vertices and the edge's; in G-maps that at the lesser
+  // end.
   std::map<std::vector<Vertices>, std::vector<Dart>> of_side;
   auto const join = [&](std::vector<Dart> const& darts, int dimension) {
     if (darts.size() != 2) throw std::runtime_error("an edge of " + std::to_string(darts.size()) + " faces");

@@ -36,8 +36,8 @@ struct Solid {
   std::vector<Point3> points;
   std::vector<std::vector<Vertices>> volumes;
 };
-/// The Platonic solids, one volume each; the same with a volume outside, so that there is no border; a prism, and blocks of
-/// cubes.
+/// The Platonic solids, one volume each; the same with a volume outside, so that there is no border; a prism, and
+/// blocks of cubes.
 std::vector<Solid> const& solids();
 /// n × m × k cubes.
 Solid block(std::size_t n, std::size_t m, std::size_t k);
@@ -45,7 +45,8 @@ Solid block(std::size_t n, std::size_t m, std::size_t k);
 /// With a volume of all faces that belong to one volume only, turned round.
 Solid with_outside(Solid solid);
 
-/// A map of a modeler on gmap(3) or omap(3), likewise. Faces with the same vertices are glued. An O-map needs the outside.
+/// A map of a modeler on gmap(3) or omap(3), likewise. Faces with the same vertices are glued. An O-map needs the
+/// outside.
 Map build(ir::Modeler const& modeler, Solid const& solid);
 
 }  // namespace jrule::test

@@ -1,5 +1,5 @@
-// Subdivision: the rules on oriented maps against those on generalized ones, and those without a peer in tests/smoothing
-// against their formulas.
+// Subdivision: the rules on oriented maps against those on generalized ones, and those without a peer in
+// tests/smoothing against their formulas.
 #include <algorithm>
 #include <map>
 

@@ -52,10 +52,10 @@ struct Edit {
 
 long long n_of(Map const& map, Hooks const& hooks) { return static_cast<long long>(face_size(map, hooks[0])); }
 long long degree_of(Map const& map, Hooks const& hooks) { return static_cast<long long>(vertex_degree(map, hooks[0])); }
-#define DELTA(V, E, F)                                                               \
-  [](Map const& map, Hooks const& hooks) {                                           \
+#define DELTA(V, E, F)                                                                \
+  [](Map const& map, Hooks const& hooks) {                                            \
     [[maybe_unused]] long long const n = n_of(map, hooks), m = degree_of(map, hooks); \
-    return Delta{V, E, F};                                                           \
+    return Delta{V, E, F};                                                            \
   }
 
 Value const point = Point3{0.3, 0.2, 9}, shift = Vec3{0.3, 0.2, 0.1};
@@ -74,6 +74,9 @@ std::vector<Edit> const edits{
     {"quadrangulate_face", each_dart, DELTA(n + 1, 2 * n, n - 1)},
     {"extrude_face", each_dart, DELTA(n, 2 * n, n), Edit::On::both, {shift}, {0.5}},
     {"inset_face", each_dart, DELTA(n, 2 * n, n)},
+    {"lace_face", each_dart, DELTA(n, 3 * n, 2 * n), Edit::On::surfaces},
+    {"move_vertex", each_dart, DELTA(0, 0, 0), Edit::On::both, {point}},
+    {"translate", each_dart, DELTA(0, 0, 0), Edit::On::both, {shift}},
     {"remove_face", each_dart, DELTA(0, 0, -1), Edit::On::surfaces},
     {"pierce", each_pair, DELTA(0, n, n - 2), Edit::On::both, {}, {}, false},
     {"chamfer_vertex", each_dart, DELTA(m - 1, m, 1), Edit::On::surfaces},
@@ -87,7 +90,8 @@ Shape kis(Shape shape) {
   std::vector<Vertices> triangles;
   for (Vertices const& face : shape.polygons.faces) {
     Vec3 center{};
-    for (std::size_t const v : face) center = center + (shape.polygons.points[v] - Point3{}) / static_cast<double>(face.size());
+    for (std::size_t const v : face)
+      center = center + (shape.polygons.points[v] - Point3{}) / static_cast<double>(face.size());
     for (std::size_t k = 0; k < face.size(); ++k) {
       triangles.push_back({face[k], face[(k + 1) % face.size()], shape.polygons.points.size()});
     }
@@ -136,7 +140,8 @@ class Surface : public testing::TestWithParam<std::size_t> {
         Delta const delta = edit().delta(start, hooks);
         bool const opens = edit().name == "unsew_edge";  // on a border it splits vertices, in the inside none
         for (std::size_t i = opens ? 1 : 0; i < 3; ++i) {
-          ASSERT_EQ(static_cast<long long>(is.cells[i]) - static_cast<long long>(was.cells[i]), delta[i]) << "of dimension " << i;
+          ASSERT_EQ(static_cast<long long>(is.cells[i]) - static_cast<long long>(was.cells[i]), delta[i])
+              << "of dimension " << i;
         }
         if (edit().simple) {
           ASSERT_EQ(degeneracy(map), "");
@@ -179,7 +184,8 @@ struct Undo : testing::TestWithParam<std::size_t> {
 };
 
 /// The copies of a node of the right side, by its name.
-std::vector<Dart> const& copies(Module::Rule const& rule, std::vector<std::vector<Dart>> const& all, std::string const& name) {
+std::vector<Dart> const& copies(Module::Rule const& rule, std::vector<std::vector<Dart>> const& all,
+                                std::string const& name) {
   for (std::size_t id = 0; id < rule.scheme.nodes.size(); ++id) {
     if (rule.scheme.nodes[id].name == name) return all[id];
   }
@@ -245,6 +251,26 @@ TEST(FlipEdge, TwiceIsTheOtherWayRound) {
         EXPECT_EQ(misplaced(map), "");
       }
     }
+  }
+}
+
+TEST(Places, AreThoseAskedFor) {
+  for (Family const family : Undo::families()) {
+    Map const start = build(*family("scale").scheme.modeler, platonic_solids()[1].polygons);
+    auto const at = [](Map const& map, Dart d) { return rewrite::Values<Point3>(map.embedding(0))[d]; };
+    Map map = start;
+    apply(family("move_vertex"), map, {5}, {point});
+    for (Dart const d : map.darts()) {
+      bool const moved = number_vertices(map)[d] == number_vertices(map)[5];
+      EXPECT_EQ(at(map, d), moved ? std::get<Point3>(point) : at(start, d));
+    }
+    map = start;
+    apply(family("translate"), map, {5}, {shift});
+    for (Dart const d : map.darts()) EXPECT_EQ(at(map, d), at(start, d) + std::get<Vec3>(shift));
+    map = start;
+    apply(family("scale"), map, {5}, {2.0, Point3{0, 0, 1}});
+    for (Dart const d : map.darts())
+      EXPECT_EQ(at(map, d), Point3{} + (2.0 * (at(start, d) - Point3{}) - Vec3{0, 0, 1}));
   }
 }
 
@@ -355,9 +381,10 @@ TEST(Refused, WhatWouldDegenerate) {
        }) {
     SCOPED_TRACE(c.rule);
     Polygons const& solid = platonic_solids()[c.solid].polygons;
-    std::string const on_surface = refusal(surface_rule(c.rule), build(*surface_rule(c.rule).scheme.modeler, solid), c.hooks, c.arguments);
-    std::string const on_halfedges =
-        refusal(halfedge_rule(c.rule), build(*halfedge_rule(c.rule).scheme.modeler, solid), c.halfedge_hooks, c.arguments);
+    std::string const on_surface =
+        refusal(surface_rule(c.rule), build(*surface_rule(c.rule).scheme.modeler, solid), c.hooks, c.arguments);
+    std::string const on_halfedges = refusal(halfedge_rule(c.rule), build(*halfedge_rule(c.rule).scheme.modeler, solid),
+                                             c.halfedge_hooks, c.arguments);
     EXPECT_NE(on_surface.find(c.because), std::string::npos) << on_surface;
     EXPECT_NE(on_halfedges, "");
   }
@@ -372,7 +399,8 @@ TEST(Refused, AVertexOfThreeEdges) {
 
 TEST(Refused, AtABorder) {
   Map const square = build(*surface_rule("remove_face").scheme.modeler, grid(1, 1).polygons);
-  for (char const* rule : {"remove_face", "quadrangulate_face", "chamfer_vertex", "chamfer_edge", "dissolve_vertex", "remove_edge"}) {
+  for (char const* rule :
+       {"remove_face", "quadrangulate_face", "chamfer_vertex", "chamfer_edge", "dissolve_vertex", "remove_edge"}) {
     for (Dart const d : square.darts()) EXPECT_NE(refusal(surface_rule(rule), square, {d}), "") << rule;
   }
   // An edge from border to border: contracted, it would leave two parts that touch.

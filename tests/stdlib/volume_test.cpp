@@ -49,16 +49,38 @@ Value const point = Point3{0.3, 0.2, 9}, shift = Vec3{0.3, 0.2, 9};
 
 std::vector<Edit> const edits{
     {"unsew_volumes", nullptr},  // vertices and edges may be opened too
-    {"insert_vertex_solid", [](At const&) { return Cells{1, 1, 0, 0}; }},
-    {"triangulate_face_solid", [](At const& a) { return Cells{1, a.sides(), a.sides() - 1, 0}; }},
-    {"remove_face_solid", [](At const&) { return Cells{0, 0, -1, -1}; }},
-    {"extrude_face_solid", [](At const& a) { return Cells{a.sides(), 2 * a.sides(), a.sides() + 1, 1}; }, {shift}},
-    {"pyramid_solid", [](At const& a) { return Cells{1, a.sides(), a.sides(), 1}; }, {point}},
-    {"cone_volume", [](At const& a) {
+    {"insert_vertex_solid",
+     [](At const&) {
+       return Cells{1, 1, 0, 0};
+     }},
+    {"triangulate_face_solid",
+     [](At const& a) {
+       return Cells{1, a.sides(), a.sides() - 1, 0};
+     }},
+    {"remove_face_solid",
+     [](At const&) {
+       return Cells{0, 0, -1, -1};
+     }},
+    {"extrude_face_solid",
+     [](At const& a) {
+       return Cells{a.sides(), 2 * a.sides(), a.sides() + 1, 1};
+     },
+     {shift}},
+    {"pyramid_solid",
+     [](At const& a) {
+       return Cells{1, a.sides(), a.sides(), 1};
+     },
+     {point}},
+    {"cone_volume",
+     [](At const& a) {
        return Cells{1, a.count({0, 1, 2}, {1, 2}), a.count({0, 1, 2}, {0, 2}), a.count({0, 1, 2}, {0, 1}) - 1};
      }},
-    {"remove_volume", [](At const&) { return Cells{0, 0, 0, -1}; }},
-    {"chamfer_vertex_solid", [](At const& a) {
+    {"remove_volume",
+     [](At const&) {
+       return Cells{0, 0, 0, -1};
+     }},
+    {"chamfer_vertex_solid",
+     [](At const& a) {
        return Cells{a.count({1, 2, 3}, {2, 3}) - 1, a.count({1, 2, 3}, {1, 3}), a.count({1, 2, 3}, {1, 2}), 1};
      }},
 };
@@ -101,15 +123,20 @@ long long count(Map const& map, std::vector<int> const& dimensions) {
   return static_cast<long long>(count_orbits(map, dimensions));
 }
 std::vector<Refinement> const refinements{
-    {"tetrahedra", [](Cells const& c, Map const& m) {
+    {"tetrahedra",
+     [](Cells const& c, Map const& m) {
        return Cells{c[0] + c[2] + c[3], c[1] + count(m, {1, 3}) + count(m, {1, 2}) + count(m, {0, 1}),
                     count(m, {0, 3}) + count(m, {0, 2}) + count(m, {1}), count(m, {0})};
      }},
-    {"hexahedra", [](Cells const& c, Map const& m) {
+    {"hexahedra",
+     [](Cells const& c, Map const& m) {
        return Cells{c[0] + c[1] + c[2] + c[3], 2 * c[1] + count(m, {0, 3}) + count(m, {0, 1}),
                     count(m, {0, 3}) + count(m, {0, 2}), count(m, {1, 2})};
      }},
-    {"dual_solid", [](Cells const& c, Map const&) { return Cells{c[3], c[2], c[1], c[0]}; }},
+    {"dual_solid",
+     [](Cells const& c, Map const&) {
+       return Cells{c[3], c[2], c[1], c[0]};
+     }},
 };
 
 TEST(Refinement, OfAllVolumes) {
@@ -156,7 +183,8 @@ std::set<std::array<long long, 3>> places(Map const& map, double scale) {
 }
 
 TEST(Menger, TakesSevenPartsOfTwentySeven) {
-  for (auto const& [n, m, k] : std::vector<std::array<std::size_t, 3>>{{1, 1, 1}, {2, 1, 1}, {1, 3, 1}, {2, 2, 1}, {2, 2, 2}}) {
+  for (auto const& [n, m, k] :
+       std::vector<std::array<std::size_t, 3>>{{1, 1, 1}, {2, 1, 1}, {1, 3, 1}, {2, 2, 1}, {2, 2, 2}}) {
     Solid const solid = block(n, m, k);
     SCOPED_TRACE(solid.name);
     Map map = build(*rule("menger").scheme.modeler, solid);
@@ -164,7 +192,8 @@ TEST(Menger, TakesSevenPartsOfTwentySeven) {
     apply(rule("menger"), map, {0});
     Map const fine = build(*rule("menger").scheme.modeler, block(3 * n, 3 * m, 3 * k));
     Cells const all = cells_of(fine);
-    // Of all the parts every edge belongs to one that stays; not the middle of a face, nor the faces of the part inside.
+    // Of all the parts every edge belongs to one that stays; not the middle of a face, nor the faces of the part
+    // inside.
     EXPECT_EQ(cells_of(map), (Cells{all[0], all[1], all[2] - was[2] - 6 * was[3], 20 * was[3]}));
     EXPECT_EQ(misplaced(map), "");
     EXPECT_EQ(places(map, 3), places(fine, 1));
@@ -223,7 +252,8 @@ TEST(RemoveFace, JoinsAPyramidToItsVolume) {
 }
 
 TEST(RemoveFace, NeedsTwoVolumes) {
-  // Four cubes around an edge: when three of the four faces between them are gone, one volume is on both sides of the last.
+  // Four cubes around an edge: when three of the four faces between them are gone, one volume is on both sides of the
+  // last.
   Map map = build(*rule("remove_face_solid").scheme.modeler, block(2, 2, 1));
   for (int left = 4; left > 0; --left) {
     std::vector<Dart> const faces = cells(map, 2);
@@ -278,11 +308,27 @@ struct HalfedgeEdit {
   std::vector<Value> arguments = {};
 };
 std::vector<HalfedgeEdit> const halfedge_edits{
-    {"insert_vertex_solid", [](long long, Cells const&) { return Cells{1, 1, 0, 0}; }},
-    {"triangulate_face_solid", [](long long n, Cells const&) { return Cells{1, n, n - 1, 0}; }},
-    {"remove_face_solid", [](long long, Cells const&) { return Cells{0, 0, -1, -1}; }},
-    {"extrude_face_solid", [](long long n, Cells const&) { return Cells{n, 2 * n, n + 1, 1}; }, {0.75}},
-    {"cone_volume", [](long long, Cells const& c) { return Cells{1, c[0], c[1], c[2] - 1}; }},
+    {"insert_vertex_solid",
+     [](long long, Cells const&) {
+       return Cells{1, 1, 0, 0};
+     }},
+    {"triangulate_face_solid",
+     [](long long n, Cells const&) {
+       return Cells{1, n, n - 1, 0};
+     }},
+    {"remove_face_solid",
+     [](long long, Cells const&) {
+       return Cells{0, 0, -1, -1};
+     }},
+    {"extrude_face_solid",
+     [](long long n, Cells const&) {
+       return Cells{n, 2 * n, n + 1, 1};
+     },
+     {0.75}},
+    {"cone_volume",
+     [](long long, Cells const& c) {
+       return Cells{1, c[0], c[1], c[2] - 1};
+     }},
 };
 
 TEST(VolumesOfHalfedges, AreEditedAnywhere) {
@@ -302,7 +348,8 @@ TEST(VolumesOfHalfedges, AreEditedAnywhere) {
         long long const edges = count(orbit_of_dimensions({1, 2})) / 2;
         auto const faces = static_cast<long long>(count_inside(start, {1, 2}, {1}, d));
         Cells const volume{2 + edges - faces, edges, faces, 1};  // all of them are spheres
-        Cells const was = cells_of(start), is = cells_of(map), delta = edit.delta(count(orbit_of_dimensions({1})), volume);
+        Cells const was = cells_of(start), is = cells_of(map),
+                    delta = edit.delta(count(orbit_of_dimensions({1})), volume);
         for (std::size_t i = 0; i < 4; ++i) ASSERT_EQ(is[i] - was[i], delta[i]) << "of dimension " << i;
       }
     }
