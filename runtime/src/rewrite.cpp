@@ -131,6 +131,82 @@ std::optional<Dart> matched_twice(std::span<std::span<Dart const> const> matches
   return {};
 }
 
+namespace {
+
+/// Two arms that grow from the hook in turns, a dart at a time, as close_pattern() meets them: how far they come, and their tips.
+struct Arms {
+  std::size_t length[2] = {0, 0};
+  Dart tip[2];
+  bool closed = false;  // do they meet?
+
+  /// The place in P of the i-th dart of an arm; the hook is the 0-th of both.
+  Index place(int arm, std::size_t i) const noexcept {
+    if (i == 0) return 0;
+    return static_cast<Index>(arm == 0 ? i + std::min(i - 1, length[1]) : i + std::min(i, length[0]));
+  }
+  Index tip_place(int arm) const noexcept { return place(arm, length[arm]); }
+};
+
+}  // namespace
+
+LinePattern dihedral_pattern(Dart const* first, Dart const* second, Dart hook, Workspace& workspace) {
+  Arms arms{.tip = {hook, hook}};
+  Dart const* const ways[2] = {first, second};
+  bool open[2] = {true, true};
+  workspace.append(hook);
+  while (!arms.closed && (open[0] || open[1])) {
+    for (int const arm : {0, 1}) {
+      if (!open[arm]) continue;
+      Dart const to = ways[(static_cast<std::size_t>(arm) + arms.length[arm]) % 2][arms.tip[arm]];  // the dimensions take turns
+      open[arm] = to != arms.tip[arm];
+      arms.closed = open[arm] && to == arms.tip[1 - arm];
+      if (arms.closed) break;
+      if (!open[arm]) continue;
+      workspace.append(to);
+      arms.tip[arm] = to;
+      ++arms.length[arm];
+    }
+  }
+  std::vector<Dart> const& darts = workspace.pattern();
+  Index* const columns[2] = {workspace.column(darts.size()), workspace.column(darts.size())};
+  auto const link = [&](std::size_t way, Index from, Index to) {
+    columns[way % 2][from] = to;
+    columns[way % 2][to] = from;
+  };
+  for (int const arm : {0, 1}) {
+    auto const way = static_cast<std::size_t>(arm);
+    for (std::size_t i = 0; i < arms.length[arm]; ++i) link(way + i, arms.place(arm, i), arms.place(arm, i + 1));
+    link(way + arms.length[arm], arms.tip_place(arm), arms.tip_place(arms.closed ? 1 - arm : arm));
+  }
+  return {darts, columns[0], columns[1]};
+}
+
+LinePattern cycle_pattern(Dart const* forwards, Dart const* backwards, Dart hook, Workspace& workspace) {
+  Arms arms{.tip = {hook, hook}};
+  Dart const* const ways[2] = {forwards, backwards};
+  workspace.append(hook);
+  while (!arms.closed) {
+    for (int const arm : {0, 1}) {
+      Dart const to = ways[arm][arms.tip[arm]];
+      arms.closed = to == arms.tip[1 - arm];
+      if (arms.closed) break;
+      workspace.append(to);
+      arms.tip[arm] = to;
+      ++arms.length[arm];
+    }
+  }
+  std::vector<Dart> const& darts = workspace.pattern();
+  Index *const next = workspace.column(darts.size()), *const last = workspace.column(darts.size());
+  auto const link = [&](Index from, Index to) {
+    next[from] = to;
+    last[to] = from;
+  };
+  for (std::size_t i = 0; i < arms.length[0]; ++i) link(arms.place(0, i), arms.place(0, i + 1));
+  for (std::size_t i = 0; i < arms.length[1]; ++i) link(arms.place(1, i + 1), arms.place(1, i));
+  link(arms.tip_place(0), arms.tip_place(1));
+  return {darts, next, last};
+}
+
 void PatternOrbits::fill(Index* numbers, Index k, Index number) const noexcept {
   numbers[k] = number;
   std::size_t open = 0;

@@ -227,7 +227,7 @@ static jrule::Dart run_cones(Shape& shape, jrule::operation::Run& run, jrule::Da
     if (!map.contains(e)) continue;  // deleted meanwhile
     auto const count_before = count;
     try {
-      jrule::operation::Undo const undo_(run, map, jrule::operation::Undo::Of::call);
+      jrule::operation::Undo const undo_(run, map, jrule::operation::Undo::Of::attempt);
       run.step();
       run.applied(cone(shape, map.target(alive(e), 2), n, 0.5, jrule::Point3{0.0, 0.0, 1.0}));
       count = jrule::add(count, std::int64_t{1});
@@ -264,8 +264,8 @@ TEST(Emit, CodeReadsFromTopToBottom) {
     return tl::unexpected(jrule::rewrite::requirement_failed("cone", "far > 0 and not (height < 0 or scale == 2)", {{"a", a}}));
 )cpp");
   expect_contains(code,
-                  "new_position.add(apex + (jrule::rewrite::total(walk_0_1_by_1, match_a[k], [&](jrule::Dart at) { "
-                  "return position_of[at]; }).mean() - position_of[to_0[match_a[k]]]) * all_far[number[k]]));\n");
+                  "    return apex + (jrule::rewrite::total(walk_0_1_by_1, match_a[k], [&](jrule::Dart at) { "
+                  "return position_of[at]; }).mean() - position_of[to_0[match_a[k]]]) * all_far[number[k]];\n");
   expect_contains(code, "      for (std::size_t k = begin; k < end; ++k) arcs_2[match_a[k]] = added_b[k];\n");
   std::size_t const room = code.find("// ---- Room"), commit = code.find("// ---- Commit"), end = code.find("return ConeResult{"),
                     match = code.find("// ---- Match"), plan = code.find("// ---- Plan"), call = code.find("return rewrite_cone(");
@@ -351,9 +351,9 @@ rule smooth on Shape {
                   "std::int64_t{3}; }) && static_cast<std::int64_t>(jrule::rewrite::each(walk_1_2, a, "
                   "[&](jrule::Dart) { return std::int64_t{1}; }).size()) > std::int64_t{4})) {\n");
   expect_contains(code,
-                  "new_position.add(to_2[match_a[k]] == match_a[k] ? position_of[all_start[number[k]]] : "
+                  "    return to_2[match_a[k]] == match_a[k] ? position_of[all_start[number[k]]] : "
                   "jrule::rewrite::total(walk_1_2, match_a[k], [&](jrule::Dart f) { return "
-                  "jrule::rewrite::total(walk_0_1, f, [&](jrule::Dart at) { return position_of[at]; }).mean(); }).mean()));\n");
+                  "jrule::rewrite::total(walk_0_1, f, [&](jrule::Dart at) { return position_of[at]; }).mean(); }).mean();\n");
 }
 
 TEST(Emit, EqualInputsGiveEqualBytes) {

@@ -211,7 +211,7 @@ TEST(Orbit, NumbersLeaveErasedDartsOut) {
   map.link(1, 0, 3);
   map.erase(0);
   OrbitNumbers const orbits = number_orbits(map, orbit_of_dimensions({0}));
-  EXPECT_EQ(orbits.number, (std::vector<std::uint32_t>{no_orbit, 0, 1, 0}));
+  EXPECT_EQ(std::vector(orbits.number.begin(), orbits.number.end()), (std::vector<std::uint32_t>{no_orbit, 0, 1, 0}));
   EXPECT_EQ(orbits.first, (std::vector<Dart>{1, 2}));
 }
 

@@ -320,7 +320,7 @@ void define_within(Writer& out, Function const& f, Listed const& listed) {
   write_body(out, f, true, [&](Writer& body) {
     write_orbit_type(body, f);
     body.line("[[maybe_unused]] jrule::Threads const {}{{}};", f.threads);
-    std::string const &all = f.local("all"), &first = f.local("start");
+    std::string const &all = f.local("all"), &first = f.local("from");
     Writer rest(body.depth());
     rest.open("if ({}.count() == 0) {{", all);
     rest.line("// Why not: what the first orbit alone says.");

@@ -41,8 +41,8 @@ Function::Function(Rule const& accepted, source::Sources const& files, PublicNam
   size = scope.take("n");
   index = scope.take("k");
   for (char const* name :
-       {"at", "to", "expected", "u", "added", "matches", "twice", "commit", "orbit", "applied", "trial", "all", "refused", "number",
-        "i", "kept", "begin", "end", "type", "start"})
+       {"at", "to", "expected", "u", "added", "matches", "twice", "commit", "orbit", "applied", "trial", "all", "line", "refused", "number",
+        "i", "kept", "begin", "end", "type", "from"})
     locals[name] = scope.take(name);
   locals["listed"] = scope.take("rewrite_" + names.function);
   locals["dense"] = scope.take("rewrite_all_" + names.function);

@@ -16,12 +16,53 @@ std::string refuse(std::string const& error) {
   return fmt::format("return tl::unexpected(jrule::rewrite::{});", error);
 }
 
-void write_pattern(Writer& out, Function const& f) {
-  for (std::size_t h = 0; h < f.hooks.size(); ++h) {
-    out.line("if (!{}.contains({})) {}", f.map, f.hooks[h],
-             refuse(fmt::format("not_a_dart({}, {}, {})", literal(f.rule.name), literal(f.node(f.rule.hooks[h]).name),
-                                f.hooks[h])));
+// Do the pattern's darts lie on a circle or a path, and are all its columns of the letters that lead along it? Then no marks are
+// needed to find them.
+bool is_line(Function const& f) {
+  auto const& generators = f.plan.generators;
+  bool const dihedral = generators.size() == 2 && f.is_involution(generators[0]) && f.is_involution(generators[1]);
+  bool const cycle = generators.size() == 1 && generators[0].size() == 1 && !f.is_involution(generators[0]);
+  if ((!dihedral && !cycle) || f.hooks.size() != 1) return false;
+  return std::all_of(f.columns.begin(), f.columns.end(), [&](auto const& column) {
+    return std::all_of(column.first.begin(), column.first.end(), [&](Letter const letter) {
+      return std::any_of(generators.begin(), generators.end(), [&](Word const& g) { return g.front().dimension == letter.dimension; });
+    });
+  });
+}
+
+void write_line(Writer& out, Function const& f) {
+  auto const& generators = f.plan.generators;
+  Letter const first = generators[0].front();
+  bool const cycle = generators.size() == 1;
+  Letter const second = cycle ? Letter{first.dimension, !first.conjugate} : generators[1].front();
+  std::string const& line = f.local("line");
+  out.line("{}.begin();", f.workspace);
+  if (f.plan.test_injectivity) out.line("{}.reserve({}.dart_limit());", f.workspace, f.map);
+  out.line("jrule::rewrite::LinePattern const {} = jrule::rewrite::{}_pattern({}, {}, {}, {});", line, cycle ? "cycle" : "dihedral",
+           f.steps.at(first), f.steps.at(second), f.hooks[0], f.workspace);
+  out.line("std::span<jrule::Dart const> const {} = {}.darts;", f.darts[f.rule.hooks[0]], line);
+}
+
+// What such a pattern knows; words of several letters lead through several columns.
+void write_line_columns(Writer& out, Function const& f) {
+  auto const column = [&](Letter const letter) {
+    Letter const first = f.plan.generators[0].front();
+    bool const is_first = letter.dimension == first.dimension && (f.plan.generators.size() == 2 || letter.conjugate == first.conjugate);
+    return fmt::format("{}.{}", f.local("line"), is_first ? "first" : "second");
+  };
+  for (auto const& [word, name] : f.columns) {
+    if (word.size() == 1) {
+      out.line("[[maybe_unused]] jrule::rewrite::Index const* const {} = {};", name, column(word.front()));
+      continue;
+    }
+    std::string at = f.index;
+    for (Letter const letter : word) at = fmt::format("{}[{}]", column(letter), at);
+    out.line("jrule::rewrite::Index* const {} = {}.column({});", name, f.workspace, f.size);
+    out.line("{} {}[{}] = {};", f.loop(), name, f.index, at);
   }
+}
+
+void write_closure(Writer& out, Function const& f) {
   out.line("{}.begin();", f.workspace);
   out.line("{}.reserve({}.dart_limit());", f.workspace, f.map);
   out.line("{}.clear_marks();", f.workspace);
@@ -39,6 +80,15 @@ void write_pattern(Writer& out, Function const& f) {
     out.close();
   }
   out.line("std::span<jrule::Dart const> const {} = {}.pattern();", f.darts[f.rule.hooks[0]], f.workspace);
+}
+
+void write_pattern(Writer& out, Function const& f) {
+  for (std::size_t h = 0; h < f.hooks.size(); ++h) {
+    out.line("if (!{}.contains({})) {}", f.map, f.hooks[h],
+             refuse(fmt::format("not_a_dart({}, {}, {})", literal(f.rule.name), literal(f.node(f.rule.hooks[h]).name),
+                                f.hooks[h])));
+  }
+  is_line(f) ? write_line(out, f) : write_closure(out, f);
   // A rule that only tests need not know it.
   bool const alone = !f.independent && f.columns.empty() && f.plan.further_hooks.empty() && f.plan.steps.empty() &&
                      f.plan.checks.empty() && f.plan.added.empty() && f.plan.deleted.empty() && f.plan.writes.empty() &&
@@ -51,6 +101,7 @@ void write_columns(Writer& out, Function const& f) {
   out.line();
   out.line("// {}[{}] is the place in the pattern of the dart where the word {} leads from its {}-th dart; and so on.",
            f.columns.begin()->second, f.index, jrule::to_string(f.columns.begin()->first), f.index);
+  if (is_line(f)) return write_line_columns(out, f);
   for (auto const& [word, name] : f.columns) out.line("jrule::rewrite::Index* const {} = {}.column({});", name, f.workspace, f.size);
   out.open("{} {{", f.loop());
   out.line("jrule::Dart const {} = {};", f.local("u"), f.dart(f.rule.hooks[0]));

@@ -50,9 +50,10 @@ void write_clause_on_threads(Writer& out, Function const& f, std::size_t c) {
                                    f.new_values[component.embedding], f.handles[c], f.size, f.threads)
                      : fmt::format("jrule::rewrite::add_values{}({}, {}, {}, {}, {}, {}", dense ? "<jrule::Dart>" : "",
                                    f.new_values[component.embedding], orbits, f.handles[c], f.size, f.threads, f.workspace);
-  out.open("{}, [&]({} {}) -> {} {{", start, dense ? "jrule::Dart" : "std::size_t", f.index,
+  std::string const value = expression(*f.rule.clauses[*component.clause].value, f, Where::in_loop);
+  out.open("{}, [&]({}{}) -> {} {{", start, dense ? "jrule::Dart" : "std::size_t", mentions(value, f.index) ? ' ' + f.index : "",
            type_name(f.rule.modeler->value_type(component.embedding)));
-  out.line("return {};", expression(*f.rule.clauses[*component.clause].value, f, Where::in_loop));
+  out.line("return {};", value);
   out.close("});");
 }
 

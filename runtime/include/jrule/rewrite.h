@@ -71,6 +71,8 @@ class Workspace {
   void meet(Dart d) {
     if (mark(d, static_cast<Index>(pattern_.size()))) pattern_.push_back(d);
   }
+  /// The same without marks, for those who know that it is not there yet.
+  void append(Dart d) { pattern_.push_back(d); }
   /// A column of that size, its numbers unset. Valid until begin(). May throw std::bad_alloc.
   Index* column(std::size_t size);
   /// Gives the memory of all columns back. For what has made the map so much larger that they would hardly do again.
@@ -103,6 +105,17 @@ struct Loop {
   Index const* word;  ///< its column
   int dimension;
 };
+/// P where its darts lie on a circle or a path: in the order of close_pattern(), with its columns, and without marks.
+struct LinePattern {
+  std::span<Dart const> darts;
+  Index *first, *second;  ///< columns of the workspace: where the two ways lead
+};
+/// Of two dimensions that are not oriented, by the map's columns of them; after Workspace::begin(). O(|P|). May throw
+/// std::bad_alloc.
+LinePattern dihedral_pattern(Dart const* first, Dart const* second, Dart hook, Workspace& workspace);
+/// Of one oriented dimension: `first` forwards, `second` backwards.
+LinePattern cycle_pattern(Dart const* forwards, Dart const* backwards, Dart hook, Workspace& workspace);
+
 /// The match column of a further hook: P walked in step from `hook`, a column of the workspace. Empty if the loops do not
 /// determine it for all of P. That each loop then holds everywhere is for the caller to check.
 std::span<Dart const> walk_in_step(Map const& map, Dart hook, std::size_t pattern_size, std::span<Loop const> loops, Workspace& workspace);
