@@ -77,7 +77,7 @@ orbitType
 
 ruleItem
   : 'rule' name ('[' name (',' name)* ']')? parameters? 'on' modelReference
-    '{' 'left' side 'right' side '}'
+    '{' 'left' side 'right' side expectation* '}'
   ;
 
 parameters : '(' (parameter (',' parameter)*)? ')' ;
@@ -103,6 +103,8 @@ arc
 arcDimension : INT | NAME | '(' dimension ')' ;
 
 let : 'let' name '=' expression ';' ;
+
+expectation : 'expect' COUNT '=' expression ';' ;
 
 // ---- C++ from outside ----
 
@@ -183,6 +185,7 @@ KW_RIGHT : 'right' ;
 KW_HOOK : 'hook' ;
 KW_REQUIRE : 'require' ;
 KW_LET : 'let' ;
+KW_EXPECT : 'expect' ;
 KW_EXTERN : 'extern' ;
 KW_TYPE : 'type' ;
 KW_FN : 'fn' ;
@@ -213,6 +216,7 @@ KW_CELL : 'cell' ;
 
 REMOVED : '_' ;
 NAME : [A-Za-z_] [A-Za-z0-9_]* ;
+COUNT : [A-Za-z_] [A-Za-z0-9_]* '\'' ;  // `V'`: what `expect` speaks of
 
 // A real has a digit after its dot, so that `0..2` and `a@0.position` need no spaces.
 REAL : DIGITS '.' DIGITS EXPONENT? | DIGITS EXPONENT ;

@@ -8,6 +8,7 @@
 #include "compiler/analysis/cycles.h"
 #include "compiler/analysis/dead_left.h"
 #include "compiler/analysis/embeddings.h"
+#include "compiler/analysis/expectations.h"
 #include "compiler/analysis/incident_arcs.h"
 #include "compiler/analysis/non_orientation.h"
 
@@ -54,6 +55,7 @@ Verdict analyze(ir::RuleScheme const& rule) {
   std::stable_sort(verdict.plan.orbits.begin(), verdict.plan.orbits.end(), [](OrbitComponent const& a, OrbitComponent const& b) {
     return std::pair(a.embedding, a.kind) < std::pair(b.embedding, b.kind);
   });
+  append(verdict.refusals, check_expectations(rule, verdict.plan));
   return verdict;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "compiler/algebra/group.h"
+#include "compiler/analysis/orbit_links.h"
 #include "compiler/analysis/placement.h"
 #include "compiler/analysis/representative.h"
 #include "compiler/analysis/wording.h"
@@ -15,21 +16,8 @@ using source::Code;
 
 namespace {
 
-// (u, from) and (u·word, to) are of one π-orbit after the application.
-struct Link {
-  ir::NodeId from;
-  Word word;
-  ir::NodeId to;
-  source::Span span;
-};
-
-// A dart that exists before the application and is of the orbit of (u, node): m(u·word, preserved)·tail.
-struct Anchor {
-  ir::NodeId node;
-  Word word;
-  ir::NodeId preserved;
-  Word tail;
-};
+using Link = OrbitLink;
+using Anchor = OrbitAnchor;
 
 struct OrbitAnalysis {
   ir::RuleScheme const& rule;
@@ -40,60 +28,11 @@ struct OrbitAnalysis {
   ir::Table const& left;
   ir::Table const& right;
   EmbeddingAnalysis& result;
-  std::vector<Link> links{};
-  std::vector<Anchor> anchors{};
+  OrbitLinks joined = orbit_links(rule, false, right, rule.modeler->embeddings[embedding].orbit, group);
+  std::vector<Link> const& links = joined.links;
+  std::vector<Anchor> const& anchors = joined.anchors;
 
   EmbeddingSpec const& spec() const { return rule.modeler->embeddings[embedding]; }
-
-  // Walks each word of π forwards from each right node. Backwards is the same relation read the other way.
-  void find_links() {
-    for (ir::NodeId id = 0; id < rule.nodes.size(); ++id) {
-      if (rule.nodes[id].deleted()) continue;
-      if (rule.nodes[id].preserved()) anchors.push_back({id, {}, id, {}});
-      for (Word const& word : spec().orbit.words) {
-        walk(id, word);
-        for (std::size_t k = 1; k < word.size(); ++k) enter(id, word, k);
-      }
-    }
-  }
-
-  // A walk that comes from outside the rule, by an unmatched arc, and is at `id` after k letters: the dart where it started
-  // is of the orbit of the node where it ends. (The first k - 1 letters are walked as the map was before.)
-  void enter(ir::NodeId id, Word const& path, std::size_t k) {
-    Letter const last = path[k - 1];
-    if (last.conjugate ? right.out(id, last.dimension) : right.in(id, last.dimension)) return;
-    ir::NodeId at = id;
-    Word word;
-    for (std::size_t next = k; next < path.size(); ++next) {
-      Letter const letter = path[next];
-      ir::Arc const* const arc = letter.conjugate ? right.in(at, letter.dimension) : right.out(at, letter.dimension);
-      if (!arc) return;
-      word = group.product(word, letter.conjugate ? group.inverse(arc->word) : arc->word);
-      at = letter.conjugate ? arc->source : arc->target;
-    }
-    Word const prefix(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(k));
-    anchors.push_back({at, group.inverse(word), id, group.inverse(prefix)});
-  }
-
-  void walk(ir::NodeId start, Word const& path) {
-    ir::NodeId at = start;
-    Word word;
-    source::Span span = rule.nodes[start].span();
-    for (std::size_t k = 0; k < path.size(); ++k) {
-      Letter const letter = path[k];
-      ir::Arc const* const arc = letter.conjugate ? right.in(at, letter.dimension) : right.out(at, letter.dimension);
-      if (!arc) {
-        // A preserved node whose arc is not matched: the walk leaves the rule and goes on along arcs of the map. Where all of
-        // it does, it joins nothing that was not of one orbit before.
-        if (k > 0) anchors.push_back({start, word, at, Word(path.begin() + static_cast<std::ptrdiff_t>(k), path.end())});
-        return;
-      }
-      word = group.product(word, letter.conjugate ? group.inverse(arc->word) : arc->word);
-      at = letter.conjugate ? arc->source : arc->target;
-      span = arc->span;
-    }
-    links.push_back({start, word, at, span});
-  }
 
   std::string orbit() const { return orbit_name(rule.model(), spec().orbit); }
   std::string orbits() const { return orbit_names(rule.model(), spec().orbit); }
@@ -331,7 +270,6 @@ struct OrbitAnalysis {
   }
 
   void run() {
-    find_links();
     // A component is rooted at its clause's node, so that the clause's expression is evaluated there.
     std::vector<ir::NodeId> order;
     for (ir::Clause const& clause : rule.clauses) {

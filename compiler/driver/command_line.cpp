@@ -112,9 +112,16 @@ int run(int argc, char const* const* argv) {
   format_command.callback([&] { status = format(format_options); });
 
   ExplainOptions explain_options;
-  CLI::App& explain_command = *app.add_subcommand("explain", "explain the code of a message");
-  explain_command.add_option("CODE", explain_options.code, "e.g. J0302; without it, all codes are listed");
-  explain_command.callback([&] { status = explain(explain_options); });
+  std::string explain_format;
+  CLI::App& explain_command = *app.add_subcommand("explain", "explain the code of a message, or what a rule does to vertices, edges and faces");
+  add_common(explain_command, explain_options.common);
+  explain_command.add_option("WHAT", explain_options.what, "a code such as J0302, FILE:RULE, or FILE; without it, all codes are listed");
+  explain_command.add_option("--dimension", explain_options.dimension, "the n of a RULE on gmap(n)")->type_name("N");
+  explain_command.add_option("--format", explain_format, "text, or json: one object a line for each rule")->check(CLI::IsMember({"text", "json"}))->type_name("text|json");
+  explain_command.callback([&] {
+    explain_options.json = explain_format == "json";
+    status = explain(explain_options);
+  });
 
   for (char const* const name : {"lsp"}) {
     CLI::App& command = *app.add_subcommand(name, "not yet implemented");

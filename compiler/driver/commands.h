@@ -89,9 +89,14 @@ struct FormatOptions {
 int format(FormatOptions const& options);
 
 struct ExplainOptions {
-  std::string code;  ///< empty: list all
+  Common common;
+  std::string what;  ///< a code, FILE:RULE or FILE; empty: list all codes
+  std::optional<int> dimension;  ///< the n of a rule on `gmap(n)`
+  bool json = false;             ///< of rules
 };
 int explain(ExplainOptions const& options);
+/// Of rules: what they do to cells.
+int explain_rule(ExplainOptions const& options);
 
 /// Commands that are documented but not built yet: says so, with a code.
 int not_implemented(std::string const& command);

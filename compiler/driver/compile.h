@@ -7,6 +7,7 @@
 
 #include "compiler/analysis/analyze.h"
 #include "compiler/driver/commands.h"
+#include "compiler/driver/reference.h"
 #include "compiler/driver/refutation.h"
 #include "compiler/sema/elaborate.h"
 
@@ -27,6 +28,10 @@ std::unique_ptr<Compilation> compile(std::string const& path, Common const& comm
 
 /// The verdict on one more rule, its refusals added to the diagnostics.
 analysis::Verdict judge(ir::RuleScheme const& rule, source::Diagnostics& diagnostics, CounterexampleFiles* files = nullptr);
+
+/// Leaves only that rule in the program, with its verdict; an instance if it has dimensions, `n` being that of its model. False,
+/// reported, if it is not there.
+bool keep_only(RuleReference const& reference, std::optional<int> n, Compilation& compilation);
 
 /// Where imports are looked up: `std` in the folder that the environment's JRULE_STDLIB names, else in the one installed with
 /// this executable, else in the sources that it was built from.

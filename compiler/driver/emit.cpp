@@ -64,29 +64,6 @@ std::vector<Output> produce(EmitOptions const& options, Compilation& compilation
   return outputs;
 }
 
-// Leaves only that rule in the program, an instance if it has dimensions. False, reported, if it is not there.
-bool keep_only(RuleReference const& reference, std::optional<int> n, Compilation& compilation) {
-  ir::Program& program = compilation.program;
-  std::vector<ir::RuleScheme> const rules = std::move(program.rules);
-  std::vector<analysis::Verdict> const verdicts = std::move(compilation.verdicts);
-  program.rules.clear();
-  program.operations.clear();  // they call other rules
-  compilation.verdicts.clear();
-  for (std::size_t i = 0; i < rules.size() && reference.dimensions.empty(); ++i) {
-    if (rules[i].name != reference.rule) continue;
-    program.rules.push_back(rules[i]);
-    compilation.verdicts.push_back(verdicts[i]);
-  }
-  if (program.rules.empty()) {
-    auto rule = sema::instantiate(compilation.modules, reference.rule, reference.dimensions, n, compilation.diagnostics);
-    if (!rule) return false;
-    compilation.verdicts.push_back(judge(*rule, compilation.diagnostics));
-    program.rules.push_back(std::move(*rule));
-  }
-  std::erase_if(program.modelers, [&](auto const& modeler) { return modeler->name != program.rules[0].modeler->name; });
-  return true;
-}
-
 }  // namespace
 
 int emit(EmitOptions const& options) {

@@ -172,6 +172,7 @@ std::string print(RuleScheme const& rule) {
     text += fmt::format("  {}.{} = {}\n", rule.nodes[clause.node].name, rule.modeler->embeddings[clause.embedding].name,
                         print(*clause.value, rule));
   }
+  for (Expectation const& e : rule.expectations) text += fmt::format("  expect {}' = {}\n", count_name(e.cell), to_string(e.count));
   return text;
 }
 

@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "compiler/ir/count.h"
 #include "compiler/source/source.h"
 #include "jrule/embedding.h"
 #include "jrule/model.h"
@@ -223,6 +224,7 @@ struct RuleScheme {
   std::vector<Requirement> requirements;
   std::vector<Let> lets;  ///< evaluated once, at the hooks
   std::vector<Clause> clauses;
+  std::vector<Expectation> expectations{};  ///< what the rule says of the cells afterwards; proved, not tested
 
   Model const& model() const { return modeler->model; }
 };

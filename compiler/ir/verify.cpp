@@ -169,6 +169,11 @@ std::optional<std::string> verify(RuleScheme const& rule) {
     if (requirement.condition->type != ExprType{Type::Bool, false, false}) return "a requirement is not a Bool";
     if (Fault fault = verify_expr(rule, requirement.condition)) return fault;
   }
+  for (Expectation const& expectation : rule.expectations) {
+    bool const named = !expectation.cell || (*expectation.cell >= 0 && *expectation.cell < static_cast<int>(Count::named_cells));
+    if (!named || (expectation.cell && !cell_orbit(rule.model(), *expectation.cell))) return "an expectation is of cells that the model lacks";
+    if (!expectation.count.fits()) return "a number in an expectation is out of range";
+  }
   return {};
 }
 

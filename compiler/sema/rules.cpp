@@ -7,6 +7,7 @@
 #include <set>
 
 #include "compiler/algebra/group.h"
+#include "compiler/sema/counts.h"
 #include "compiler/sema/expressions.h"
 #include "compiler/sema/names.h"
 #include "compiler/sema/parameters.h"
@@ -405,6 +406,9 @@ struct RuleElaboration {
     if (diagnostics.error_count() == errors_before) check_components();
     add_left_expressions();
     add_clauses();
+    for (ast::Expectation const& expectation : declared.expectations) {
+      if (auto expected = elaborate_expectation(expectation, model, diagnostics)) rule.expectations.push_back(*expected);
+    }
     if (diagnostics.error_count() != errors_before) return {};
     return std::move(rule);
   }

@@ -196,6 +196,12 @@ struct Side {
   std::vector<SideItem> items;
   Span span;  ///< with its braces
 };
+/// `expect V' = V + E + F;`
+struct Expectation {
+  Name count;  ///< without the prime
+  ExprPtr value;
+  Span span;
+};
 struct Rule {
   std::string doc;
   Name name;
@@ -203,6 +209,7 @@ struct Rule {
   std::vector<Parameter> parameters;
   ModelRef on;
   Side left, right;
+  std::vector<Expectation> expectations;
   Span span;
 };
 

@@ -167,6 +167,11 @@ ast::Rule Builder::rule(JRuleParser::RuleItemContext* tree) {
   auto const sides = tree->side();
   result.left = side(sides[0]);
   result.right = side(sides[1]);
+  for (auto* expectation : tree->expectation()) {
+    ast::Name count = name(expectation->COUNT()->getSymbol());
+    count.text.pop_back();
+    result.expectations.push_back({std::move(count), expression(expectation->expression()), span(expectation)});
+  }
   result.span = span(tree);
   return result;
 }

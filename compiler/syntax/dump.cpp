@@ -53,6 +53,7 @@ class Dumper {
     parameters(item.parameters);
     side("left", item.left);
     side("right", item.right);
+    for (auto const& e : item.expectations) line(fmt::format("expect {} = {}", e.count.text, text_of(*e.value)));
   }
 
   void operator()(ast::Operation const& item) {

@@ -139,7 +139,7 @@ bool ItemParser::drop_failed_statement() {
   std::size_t const end_of_input = tokens_.size() - 1;
   if (wrong == end_of_input) return false;
 
-  // A rule has no statements directly in its braces, only in those of its sides.
+  // Directly in its braces a rule has no statements but `expect`, else only in those of its sides.
   std::size_t first_kind = 0;
   for (std::size_t i = 0; first_kind == 0; ++i) first_kind = type(i);
   int depth = 0;
@@ -147,13 +147,13 @@ bool ItemParser::drop_failed_statement() {
     if (type(i) == JRuleParser::LBRACE) ++depth;
     if (type(i) == JRuleParser::RBRACE) --depth;
   }
-  if (depth < (first_kind == JRuleParser::KW_RULE ? 2 : 1)) return false;
-
   auto const is_boundary = [&](std::size_t i) {
     return type(i) == JRuleParser::SEMICOLON || type(i) == JRuleParser::LBRACE || type(i) == JRuleParser::RBRACE;
   };
   auto begin = wrong;
   while (begin > 0 && !is_boundary(begin - 1)) --begin;
+  bool const may_expect = depth == 1 && std::any_of(tokens_.begin() + static_cast<std::ptrdiff_t>(begin), tokens_.begin() + static_cast<std::ptrdiff_t>(wrong), [](auto* token) { return token->getType() == JRuleParser::KW_EXPECT; });
+  if (depth < (first_kind == JRuleParser::KW_RULE && !may_expect ? 2 : 1)) return false;
 
   // To the `;` or the `}` that ends the statement, with an `else` and its block, or a `;` that may follow the `}`.
   auto const next_visible = [&](std::size_t i) {

@@ -40,6 +40,7 @@ std::vector<Group> const groups{
     {{"a dimension"}, {P::INT, P::NAME}, {P::TILDE, P::LPAREN}},
     {{"a type"}, {P::NAME, P::LBRACKET}},
     {{"a name"}, {P::NAME}},
+    {{"a number of cells such as `V'`"}, {P::COUNT}},
     {{"a number"}, {P::INT}},
     {{"a string"}, {P::STRING}},
 };
@@ -92,6 +93,7 @@ std::string unfinished(antlr4::ParserRuleContext* context) {
     case P::RuleClause: return named("the value of", dynamic_cast<P::ClauseContext&>(*context).name());
     case P::RuleLet: return named("the value of", dynamic_cast<P::LetContext&>(*context).name());
     case P::RuleExternItem: return "the C++ name";
+    case P::RuleExpectation: return "the number of cells";
     case P::RuleSideItem: {
       auto& item = dynamic_cast<P::SideItemContext&>(*context);
       if (!item.arc().empty()) return "the arc";

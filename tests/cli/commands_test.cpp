@@ -300,6 +300,39 @@ TEST_F(Commands, Explain) {
   EXPECT_TRUE(outcome.output.starts_with("# J0302: ")) << outcome.output;
   EXPECT_TRUE(contains(jrule({"explain"}).output, "J0302"));
   EXPECT_EQ(jrule({"explain", "J9999"}).exit_status, 2);
+  EXPECT_EQ(jrule({"explain", "no-such.jrule:r"}).exit_status, 2);
+}
+
+TEST_F(Commands, ExplainsWhatARuleDoesToCells) {
+  file("a.jrule", R"(rule kis on gmap(2) {
+  left  { hook a <0,1,2>; }
+  right { a <0,_,2>; b <_,2,_>; c <1,2,_>; a -1- b -0- c; }
+}
+rule fan on gmap(2) {
+  left  { hook a <0,1>; }
+  right { a <0,_>; b <_,2>; c <1,2>; a -1- b -0- c; }
+}
+rule refused on gmap(2) { left { hook a <0>; } right { a <_>; } }
+rule copy on gmap(n) { left { hook a <0..n>; } right { a; b <0..n>; } })");
+  EXPECT_EQ(jrule({"explain", "a.jrule:kis"}).output, R"(kis on gmap(2): applied to whole components
+  vertices  new           `c`                  one for each face
+            kept          `a`, `b`             one for each vertex
+  edges     new           `b`, `c`             one for each orbit <1>
+            kept          `a`                  one for each edge
+  faces     may be split  `a`                  one for each face
+  V' = V + F
+  E' = 3 * E   where there is no border
+  F' = 2 * E   where there is no border
+  D' = 3 * D
+
+)");
+  EXPECT_EQ(jrule({"explain", "a.jrule:fan"}).output, "");
+  EXPECT_EQ(jrule({"explain", "--format", "json", "a.jrule:fan"}).output, "");
+  EXPECT_EQ(jrule({"explain", "a.jrule:copy", "--dimension", "3"}).output, "");
+  Outcome const refused = jrule({"explain", "a.jrule:refused"});
+  EXPECT_EQ(refused.exit_status, 1);
+  EXPECT_TRUE(contains(refused.output, "J0305")) << refused.output;
+  EXPECT_EQ(jrule({"explain", "a.jrule:none"}).exit_status, 1);
 }
 
 TEST_F(Commands, UsageErrors) {

@@ -173,7 +173,10 @@ Difference difference(ir::RuleScheme const& a, ir::RuleScheme const& b, Order or
                    {"the lets", all_same(a.lets, b.lets, same_let)},
                    {"the requirements", all_same(a.requirements, b.requirements,
                                                  [&](ir::Requirement const& x, ir::Requirement const& y) { return expressions.same(*x.condition, *y.condition); })},
-                   {"the clauses", all_same(a.clauses, b.clauses, same_clause)}});
+                   {"the clauses", all_same(a.clauses, b.clauses, same_clause)},
+                   {"the expectations", all_same(a.expectations, b.expectations, [](ir::Expectation const& x, ir::Expectation const& y) {
+                      return x.cell == y.cell && x.count == y.count;
+                    })}});
 }
 
 }  // namespace jrule::tests

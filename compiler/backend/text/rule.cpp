@@ -50,7 +50,9 @@ class RuleSpeller {
     for (ir::NodeId const id : left.order) text += left_node(id, left);
     text += arcs(left) + values() + "  }\n  right {\n";
     for (ir::NodeId const id : right.order) text += right_node(id, left, right);
-    return text + arcs(right) + "  }\n}\n\n";
+    text += arcs(right) + "  }\n";
+    for (ir::Expectation const& e : rule_.expectations) text += fmt::format("  expect {}' = {};\n", ir::count_name(e.cell), to_string(e.count));
+    return text + "}\n\n";
   }
 
   std::string fault;
