@@ -51,9 +51,14 @@ std::string sum_text(OrbitCount const& count) {
   return text;
 }
 
-std::string count_line(std::optional<int> cell, OrbitCount const& count) {
-  char const name = ir::count_name(cell);
-  return fmt::format("  {}' = {}{}\n", name, sum_text(count), count.regular_only ? "   where there is no border" : "");
+std::string count_line(std::optional<int> cell, OrbitCount const& count, analysis::OrbitCounter const& counter) {
+  constexpr auto condition = "where there is no border";
+  std::string text = fmt::format("  {}' = {}", ir::count_name(cell), sum_text(count));
+  if (count.regular_only) return fmt::format("{}   {}\n", text, condition);
+  // Cells are what a surface is known by, not darts.
+  OrbitCount const in_cells{counter.readable(count.count), true, count.others};
+  bool const shorter = cell && !count.count.darts.is_zero() && in_cells.count.darts.is_zero();
+  return shorter ? fmt::format("{}, {} {}\n", text, sum_text(in_cells), condition) : text + "\n";
 }
 
 std::string text_of(ir::RuleScheme const& rule, analysis::Effects const& effects) {
@@ -68,6 +73,8 @@ std::string text_of(ir::RuleScheme const& rule, analysis::Effects const& effects
     text += fmt::format("its pattern is the orbit <{}> of `{}`\n", type, rule.nodes[rule.hooks.front()].name);
   }
   std::string counts;
+  algebra::Group const group(rule.model());
+  analysis::OrbitCounter const counter(group);
   for (CellEffects const& cells : effects.cells) {
     std::string title = analysis::orbit_names(rule.model(), cells.orbit);
     if (title.starts_with("orbits")) title = fmt::format("{}-cells", cells.dimension);
@@ -77,9 +84,9 @@ std::string text_of(ir::RuleScheme const& rule, analysis::Effects const& effects
         title.clear();
       }
     }
-    if (cells.count) counts += count_line(cells.dimension, *cells.count);
+    if (cells.count) counts += count_line(cells.dimension, *cells.count, counter);
   }
-  if (effects.darts) counts += count_line({}, *effects.darts);
+  if (effects.darts) counts += count_line({}, *effects.darts, counter);
   return text + counts;
 }
 

@@ -26,7 +26,6 @@ class Module {
   };
   /// Fails the test if there is none of that name.
   Rule const& rule(std::string const& name) const;
-  std::vector<Rule> const& rules() const { return rules_; }
   std::size_t size() const { return rules_.size(); }
   std::vector<Rule> const& rules() const { return rules_; }
 
