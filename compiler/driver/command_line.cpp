@@ -111,6 +111,13 @@ int run(int argc, char const* const* argv) {
   format_command.add_option("FILE", format_options.files, "source files")->required();
   format_command.callback([&] { status = format(format_options); });
 
+  ImportOptions import_options;
+  CLI::App& import_command = *app.add_subcommand("import-jerboa", "write the modeler and the rules of a Jerboa modeler as a source file");
+  add_common(import_command, import_options.common);
+  import_command.add_option("FILE", import_options.file, "modeler, as Jerboa's editor saves it: .jme")->required();
+  import_command.add_option("-o,--output", import_options.output, "folder, or .jrule file, to write to instead of standard output")->type_name("DIR|FILE");
+  import_command.callback([&] { status = import_jerboa(import_options); });
+
   ExplainOptions explain_options;
   std::string explain_format;
   CLI::App& explain_command = *app.add_subcommand("explain", "explain the code of a message, or what a rule does to vertices, edges and faces");

@@ -88,6 +88,13 @@ struct FormatOptions {
 };
 int format(FormatOptions const& options);
 
+struct ImportOptions {
+  Common common;
+  std::string file;    ///< a modeler of Jerboa, .jme
+  std::string output;  ///< -o, a folder or a .jrule file; empty: standard output
+};
+int import_jerboa(ImportOptions const& options);
+
 struct ExplainOptions {
   Common common;
   std::string what;  ///< a code, FILE:RULE or FILE; empty: list all codes

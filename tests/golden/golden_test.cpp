@@ -1,11 +1,13 @@
-// tests/golden/<area>/<case>.jrule is checked in its folder; its exit status and all it prints must be as in
-// <case>.expected. Files in deeper folders are modules for the cases to import. With JRULE_UPDATE_GOLDEN=1 the
-// .expected files are written instead (./dev test --update-golden); read the difference before you keep it.
+// tests/golden/<area>/<case>.jrule is checked in its folder, a <case>.jme imported by jrule import-jerboa; the exit status and
+// all that is printed must be as in <case>.expected. Files in deeper folders are modules for the cases to import. With
+// JRULE_UPDATE_GOLDEN=1 the .expected files are written instead (./dev test --update-golden); read the difference before you
+// keep it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <initializer_list>
 #include <vector>
 
 #include "tests/process/process.h"
@@ -16,13 +18,14 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The files <area>/<name><extension>, relative to this folder, in order.
-std::vector<std::string> files_with(std::string const& extension) {
+std::vector<std::string> files_with(std::initializer_list<std::string> extensions) {
   std::vector<std::string> found;
   fs::path const top = JRULE_GOLDEN_DIR;
   for (auto const& area : fs::directory_iterator(top)) {
     if (!area.is_directory()) continue;
     for (auto const& entry : fs::directory_iterator(area)) {
-      if (entry.path().extension() == extension) found.push_back(fs::relative(entry.path(), top).string());
+      bool const wanted = std::find(extensions.begin(), extensions.end(), entry.path().extension()) != extensions.end();
+      if (wanted) found.push_back(fs::relative(entry.path(), top).string());
     }
   }
   std::sort(found.begin(), found.end());
@@ -48,8 +51,8 @@ class Golden : public testing::TestWithParam<std::string> {};
 
 TEST_P(Golden, is_as_expected) {
   auto const source = fs::path(JRULE_GOLDEN_DIR) / GetParam();
-  auto const outcome = tests::run(source.parent_path(), {JRULE_EXECUTABLE, "check", source.filename().string()});
-  // The statuses that `jrule check` documents; anything else is a fault of the compiler, never expected.
+  auto const outcome = tests::run(source.parent_path(), {JRULE_EXECUTABLE, source.extension() == ".jme" ? "import-jerboa" : "check", source.filename().string()});
+  // The statuses that both commands document; anything else is a fault of the compiler, never expected.
   ASSERT_GE(outcome.exit_status, 0);
   ASSERT_LE(outcome.exit_status, 2) << outcome.output;
 
@@ -64,13 +67,14 @@ TEST_P(Golden, is_as_expected) {
   EXPECT_EQ(tests::read(expected), found);
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, Golden, testing::ValuesIn(files_with(".jrule")),
+INSTANTIATE_TEST_SUITE_P(Files, Golden, testing::ValuesIn(files_with({".jrule", ".jme"})),
                          [](auto const& golden) { return test_name(golden.param); });
 
 TEST(GoldenFiles, each_expected_file_has_its_case) {
-  for (auto const& expected : files_with(".expected")) {
-    auto const source = fs::path(JRULE_GOLDEN_DIR) / fs::path(expected).replace_extension(".jrule");
-    EXPECT_TRUE(fs::exists(source)) << expected << " is left over: there is no " << source;
+  for (auto const& expected : files_with({".expected"})) {
+    auto source = fs::path(JRULE_GOLDEN_DIR) / fs::path(expected).replace_extension(".jrule");
+    if (!fs::exists(source)) source.replace_extension(".jme");
+    EXPECT_TRUE(fs::exists(source)) << expected << " is left over: there is no .jrule or .jme file of that name";
   }
 }
 
