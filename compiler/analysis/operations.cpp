@@ -43,11 +43,15 @@ void check_independence(ir::Operation const& operation, ir::Block const& block, 
 
 // ---- Transactions ----
 
-// Reading the map may fail, and so may whatever takes memory: to compute something does, in the interpreter.
+// Reading the map may fail, and so may whatever takes memory. To compute one value of others takes none, in the interpreter neither.
 bool may_fail(ir::ExprPtr const& expr) {
-  if (expr->type.list || expr->type.external) return true;
+  bool const computed = std::holds_alternative<ir::Constant>(expr->value) || std::holds_alternative<ir::VariableRef>(expr->value) ||
+                        std::holds_alternative<ir::Apply>(expr->value) || std::holds_alternative<ir::Conditional>(expr->value);
   auto const* copy = std::get_if<ir::CopyOf>(&expr->value);
-  return !std::holds_alternative<ir::Constant>(expr->value) && !std::holds_alternative<ir::VariableRef>(expr->value) && (!copy || copy->at);
+  if (copy && !copy->at) return false;
+  if (!computed || expr->type.list || expr->type.external) return true;
+  std::vector<ir::ExprPtr> const parts = ir::parts(*expr);
+  return std::any_of(parts.begin(), parts.end(), may_fail);
 }
 
 // Follows the statements in their order.

@@ -1,6 +1,7 @@
 #include "compiler/ir/evaluate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <stdexcept>
@@ -182,16 +183,21 @@ Value const* constant(Expr const& expr) {
 
 }  // namespace
 
+namespace {
+constexpr std::size_t max_arguments = 3;  // of a built-in function
+}  // namespace
+
 Evaluated evaluate(Expr const& expr, std::function<Evaluated(Expr const&)> const& leaf) {
   if (auto const* constant = std::get_if<Constant>(&expr.value)) return constant->value;
   if (auto const* application = std::get_if<Apply>(&expr.value)) {
-    std::vector<Evaluated> arguments;
+    std::array<Evaluated, max_arguments> arguments;  // no memory is taken for single values
+    std::size_t count = 0;
     for (ExprPtr const& argument : application->arguments) {
-      arguments.push_back(evaluate(*argument, leaf));
-      if (application->function == Builtin::logical_and && !is_true(arguments.back())) return Value{false};
-      if (application->function == Builtin::logical_or && is_true(arguments.back())) return Value{true};
+      Evaluated& value = arguments.at(count++) = evaluate(*argument, leaf);
+      if (application->function == Builtin::logical_and && !is_true(value)) return Value{false};
+      if (application->function == Builtin::logical_or && is_true(value)) return Value{true};
     }
-    return ir::apply(application->function, arguments);
+    return ir::apply(application->function, std::span(arguments).first(count));
   }
   if (auto const* conditional = std::get_if<Conditional>(&expr.value)) {
     bool const holds = is_true(evaluate(*conditional->condition, leaf));

@@ -22,7 +22,8 @@ Evaluated apply(Builtin function, std::span<Evaluated const> arguments);
 
 /// The value of an expression. `leaf` gives those of parameters and lets and of what is read from a map; constants,
 /// functions and conditionals are evaluated here. A branch that is not taken is not evaluated, nor the second operand of
-/// `and` and `or` where the first decides. Recursive: the parser bounds the depth.
+/// `and` and `or` where the first decides. Recursive: the parser bounds the depth. Takes no memory
+/// unless a list, or `leaf`, does.
 Evaluated evaluate(Expr const& expr, std::function<Evaluated(Expr const&)> const& leaf);
 
 /// The same expression with its outermost operation already done, if its parts are constants: to build an expression

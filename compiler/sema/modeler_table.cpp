@@ -55,6 +55,10 @@ std::optional<std::string> open_dimension(ast::ModelRef const& on, std::vector<a
   return {};
 }
 
-std::string qualified(ir::Modeler const& modeler, std::string const& name) { return fmt::format("{}.{}", modeler.name, name); }
+std::string qualified(ir::Modeler const& modeler, std::string const& name) {
+  std::string on = modeler.name;
+  std::erase_if(on, [](char c) { return c == '(' || c == ')'; });  // of a bare model
+  return fmt::format("{}.{}", on, name);
+}
 
 }  // namespace jrule::sema

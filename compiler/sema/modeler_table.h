@@ -33,7 +33,7 @@ bool is_same(ir::Modeler const& a, ir::Modeler const& b);
 /// The parameter of a bare model's dimension, as in `on gmap(n)`: a name that is none of the dimension parameters.
 std::optional<std::string> open_dimension(ast::ModelRef const& on, std::vector<ast::Name> const& dimension_parameters);
 
-/// "Surface.quad": of a rule or operation that several modelers take.
+/// "Surface.quad", on a bare model "gmap2.quad": of a rule or operation that several modelers take.
 std::string qualified(ir::Modeler const& modeler, std::string const& name);
 
 }  // namespace jrule::sema

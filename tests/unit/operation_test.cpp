@@ -303,6 +303,7 @@ TEST(Operation, TheMapIsCopiedOnlyWhereSomethingMayFailAfterAChange) {
     operation early(d: Dart) on S { if d.n == 0 { touch(d); return; } split(d); }
     operation alternative(d: Dart) on S { try { touch(d); } else { split(d); } }
     operation last(d: Dart) on S -> Dart { let r = split(d); return r.b; }
+    operation counted(d: Dart, n: Int) on S -> Int { touch(d); n = n + 1; return if n < 3 then n else 3; }
     operation two(d: Dart) on S { touch(d); touch(d); }
     operation read(d: Dart) on S -> Int { touch(d); return d.n; }
     operation chosen(d: Dart) on S -> Dart { let r = split(d); return r.b[d]; }
@@ -310,7 +311,7 @@ TEST(Operation, TheMapIsCopiedOnlyWhereSomethingMayFailAfterAChange) {
     operation rounds(d: Dart) on S { let i = 0; while i < 3 { i = i + 1; touch(d); } }
     operation after(d: Dart) on S { try { touch(d); } else { } touch(d); }
     operation fails(d: Dart) on S { touch(d); fail "x"; })");
-  for (char const* const name : {"one", "either", "early", "alternative", "last"}) {
+  for (char const* const name : {"one", "either", "early", "alternative", "last", "counted"}) {
     EXPECT_FALSE(analysis::may_fail_after_change(s.program.operations[s.index(name)].body)) << name;
   }
   for (char const* const name : {"two", "read", "chosen", "loop", "rounds", "after", "fails"}) {
