@@ -227,7 +227,7 @@ static jrule::Dart run_cones(Shape& shape, jrule::operation::Run& run, jrule::Da
     if (!map.contains(e)) continue;  // deleted meanwhile
     auto const count_before = count;
     try {
-      jrule::operation::Undo const undo_(run, map, jrule::operation::Undo::Of::attempt);
+      jrule::operation::Undo const undo_(run, map, jrule::operation::Undo::Of::call);
       run.step();
       run.applied(cone(shape, map.target(alive(e), 2), n, 0.5, jrule::Point3{0.0, 0.0, 1.0}));
       count = jrule::add(count, std::int64_t{1});
