@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "compiler/analysis/subgroup.h"
+
 namespace jrule::analysis {
 
 using ir::Fraction;
@@ -47,14 +49,7 @@ std::vector<Word> OrbitCounter::conjugators(std::vector<Word> const& generators)
 std::vector<Word> OrbitCounter::conjugated(std::vector<Word> const& generators, Word const& by) const {
   std::vector<Word> words;
   for (Word const& g : generators) words.push_back(group_.product(group_.product(group_.inverse(by), g), by));
-  return sorted(std::move(words));
-}
-
-std::vector<Word> OrbitCounter::sorted(std::vector<Word> words) const {
-  for (Word& word : words) word = std::min(word, group_.inverse(word));
-  std::sort(words.begin(), words.end());
-  words.erase(std::unique(words.begin(), words.end()), words.end());
-  return words;
+  return reduced(group_, std::move(words));
 }
 
 std::size_t OrbitCounter::total(std::vector<Word> const& words) {
@@ -66,9 +61,9 @@ std::size_t OrbitCounter::total(std::vector<Word> const& words) {
 // Does a conjugate of the group equal that of the cell?
 bool OrbitCounter::same_orbits(std::vector<Word> const& generators, OrbitType const& cell) const {
   for (Word const& by : conjugators(generators)) {
-    OrbitType const moved{conjugated(generators, by)};
-    bool const inside = std::all_of(moved.words.begin(), moved.words.end(), [&](Word const& g) { return group_.in_orbit(g, cell); });
-    if (inside && std::all_of(cell.words.begin(), cell.words.end(), [&](Word const& w) { return group_.in_orbit(w, moved); })) return true;
+    std::vector<Word> const moved = conjugated(generators, by);
+    bool const inside = std::all_of(moved.begin(), moved.end(), [&](Word const& g) { return group_.in_orbit(g, cell); });
+    if (inside && std::all_of(cell.words.begin(), cell.words.end(), [&](Word const& w) { return generates(group_, moved, w); })) return true;
   }
   return false;
 }
@@ -76,7 +71,7 @@ bool OrbitCounter::same_orbits(std::vector<Word> const& generators, OrbitType co
 OrbitCount OrbitCounter::count(std::vector<Word> const& generators) const {
   auto const& dimensions = group_.model().dimensions;
   bool const all = std::all_of(dimensions.begin(), dimensions.end(), [&](int d) {
-    return group_.in_orbit({Letter{static_cast<std::uint8_t>(d), false}}, OrbitType{generators});
+    return generates(group_, generators, {Letter{static_cast<std::uint8_t>(d), false}});
   });
   if (all) return {.count = {.constant = {1, 1}}};
   auto const finite = order(generators);

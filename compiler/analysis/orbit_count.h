@@ -37,7 +37,7 @@ class OrbitCounter {
   /// The generators, conjugated by one word so that they are as short as can be, in order: as many orbits. `may` says which words.
   template <class May>
   std::vector<Word> shortened(std::vector<Word> const& generators, May may) const {
-    std::vector<Word> best = sorted(generators);
+    std::vector<Word> best = conjugated(generators, {});
     for (Word const& by : conjugators(generators)) {
       if (std::vector<Word> other = conjugated(generators, by); total(other) < total(best) && may(by)) best = std::move(other);
     }
@@ -54,7 +54,6 @@ class OrbitCounter {
   bool same_orbits(std::vector<Word> const& generators, OrbitType const& cell) const;
   std::vector<Word> conjugators(std::vector<Word> const& generators) const;
   std::vector<Word> conjugated(std::vector<Word> const& generators, Word const& by) const;
-  std::vector<Word> sorted(std::vector<Word> words) const;  ///< of a word and its inverse, one
   static std::size_t total(std::vector<Word> const& words);
 
   algebra::Group const& group_;

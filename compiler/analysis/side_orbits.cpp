@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compiler/analysis/orbit_links.h"
+#include "compiler/analysis/subgroup.h"
 
 namespace jrule::analysis {
 
@@ -58,13 +59,12 @@ SideOrbits::SideOrbits(ir::RuleScheme const& rule, bool left, OrbitType const& o
             path[to] = there;
             members.push_back(to);
           } else if (Word const closed = group.product(there, group.inverse(*path[to])); !words.trivial(closed)) {
-            bool const known = std::any_of(found.generators.begin(), found.generators.end(),
-                                           [&](Word const& g) { return g == closed || g == group.inverse(closed); });
-            if (!known) found.generators.push_back(closed);
+            found.generators.push_back(closed);
           }
         }
       }
     }
+    found.generators = reduced(group, std::move(found.generators));
     for (std::size_t const member : members) {
       auto const survive = [&](ir::NodeId node, Word const& tail) {
         found.survivors.push_back({node, tail, *path[member]});
@@ -87,9 +87,9 @@ SideOrbits::SideOrbits(ir::RuleScheme const& rule, bool left, OrbitType const& o
 
 bool SideOrbits::generated(Word const& word, std::vector<Word> const& by) const {
   if (words_.trivial(word)) return true;
-  OrbitType type{by};
-  for (Relation const& relation : words_.relations()) type.words.push_back(relation.word);
-  return group_.in_orbit(word, type);
+  std::vector<Word> all = by;
+  for (Relation const& relation : words_.relations()) all.push_back(relation.word);
+  return generates(group_, all, word);
 }
 
 // (u·a, s) is of the orbit whose root's copy is at u·a·p⁻¹, p being the path to s; likewise (u·b, t). The roots' copies are of one
