@@ -30,8 +30,9 @@ bool first_hook_is_full(ir::RuleScheme const& rule) {
   });
 }
 
-/// How many expressions there are of each kind, in the order of ir::Expr.
-using Kinds = std::array<std::size_t, std::variant_size_v<decltype(ir::Expr::value)>>;
+/// How many expressions there are of each kind, in the order of ir::Expr; rules have none of the last two, which are those of
+/// operations.
+using Kinds = std::array<std::size_t, std::variant_size_v<decltype(ir::Expr::value)> - 2>;
 
 struct Tally {
   int printed = 0, unspellable = 0;
@@ -41,7 +42,7 @@ struct Tally {
   std::size_t dart_comparisons = 0;
 
   void add(ir::Expr const& expr) {
-    ++kinds[expr.value.index()];
+    ++kinds.at(expr.value.index());
     if (auto const* bound = std::get_if<ir::Bound>(&expr.value)) inner_variables += bound->level > 0;
     auto const parts = ir::parts(expr);
     dart_comparisons += std::holds_alternative<ir::Apply>(expr.value) && parts.size() == 2 && parts[0]->type == ir::dart_type;
