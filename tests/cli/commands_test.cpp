@@ -312,11 +312,12 @@ rule fan on gmap(2) {
   left  { hook a <0,1>; }
   right { a <0,_>; b <_,2>; c <1,2>; a -1- b -0- c; }
 }
-rule refused on gmap(2) { left { hook a <0>; } right { a <_>; } }
-rule copy on gmap(n) { left { hook a <0..n>; } right { a; b <0..n>; } })");
+)");
+  file("copy.jrule", "rule copy on gmap(n) { left { hook a <0..n>; } right { a; b <0..n>; } }");
+  file("refused.jrule", "rule refused on gmap(2) { left { hook a <0>; } right { a <_>; } }");
   EXPECT_EQ(jrule({"explain", "a.jrule:kis"}).output, R"(kis on gmap(2): applied to whole components
   vertices  new           `c`                  one for each face
-            kept          `a`, `b`             one for each vertex
+            kept          `a`                  one for each vertex
   edges     new           `b`, `c`             one for each orbit <1>
             kept          `a`                  one for each edge
   faces     may be split  `a`                  one for each face
@@ -326,10 +327,29 @@ rule copy on gmap(n) { left { hook a <0..n>; } right { a; b <0..n>; } })");
   D' = 3 * D
 
 )");
-  EXPECT_EQ(jrule({"explain", "a.jrule:fan"}).output, "");
-  EXPECT_EQ(jrule({"explain", "--format", "json", "a.jrule:fan"}).output, "");
-  EXPECT_EQ(jrule({"explain", "a.jrule:copy", "--dimension", "3"}).output, "");
-  Outcome const refused = jrule({"explain", "a.jrule:refused"});
+  EXPECT_EQ(jrule({"explain", "a.jrule:fan"}).output, R"(fan on gmap(2): its pattern is the orbit <0,1> of `a`
+  vertices  new           `c`                  one
+            kept          `a`                  at most one for each orbit <1>
+  edges     new           `b`, `c`             one for each orbit <1>
+            kept          `a`                  at most one for each orbit <0>
+  faces     may be split  `a`                  one
+  V' = V + 1
+
+)");
+  char const* const json =
+      R"~({"rule":"fan","modeler":"gmap(2)","whole_component":false,"cells":[{"dimension":0,"orbit":"<1,2>","created":[{"nodes":[")~"
+      R"~(c"],"per":"<0,1>","single":true,"reaches_out":false}],"deleted":[],"split":[],"merged":[],"kept":[{"nodes":["a"],"per":")~"
+      R"~(<1>","single":false,"reaches_out":true}],"count":{"sum":"V + 1","orbits":[],"without_border":false}},{"dimension":1,"orb)~"
+      R"~(it":"<0,2>","created":[{"nodes":["b","c"],"per":"<1>","single":false,"reaches_out":false}],"deleted":[],"split":[],"merg)~"
+      R"~(ed":[],"kept":[{"nodes":["a"],"per":"<0>","single":false,"reaches_out":true}],"count":null},{"dimension":2,"orbit":"<0,1)~"
+      R"~(>","created":[],"deleted":[],"split":[{"nodes":["a"],"per":"<0,1>","single":true,"reaches_out":false}],"merged":[],"kept)~"
+      R"~(":[],"count":null}],"darts":null})~"
+      "\n";
+  EXPECT_EQ(jrule({"explain", "--format", "json", "a.jrule:fan"}).output, json);
+  Outcome const copy = jrule({"explain", "copy.jrule:copy", "--dimension", "3"});
+  EXPECT_EQ(copy.exit_status, 0);
+  EXPECT_TRUE(contains(copy.output, "  C' = 2 * C\n")) << copy.output;
+  Outcome const refused = jrule({"explain", "refused.jrule:refused"});
   EXPECT_EQ(refused.exit_status, 1);
   EXPECT_TRUE(contains(refused.output, "J0305")) << refused.output;
   EXPECT_EQ(jrule({"explain", "a.jrule:none"}).exit_status, 1);

@@ -58,15 +58,27 @@ std::set<Dart> darts_of(PlainMap const& map) {
   return darts;
 }
 
-/// Does no path of finite order return to its dart at once? Those are conjugate to letters and pairs of exchangeable letters, and, in the
-/// models that have more than two letters that commute with each other, to more.
+/// Does no path of finite order return to its dart at once? Those are conjugate to words of letters that commute with each other,
+/// each at most once.
 bool is_regular(PlainMap const& map, Model const& model) {
-  for (auto const& [d, arcs] : map.targets) {
-    for (int const i : model.dimensions) {
-      if (!model.is_oriented(i) && step(map, d, {static_cast<std::uint8_t>(i), false}) == d) return false;
+  auto const commute = [&](std::vector<int> const& letters) {
+    for (std::size_t b = 1; b < letters.size(); ++b) {
+      for (std::size_t a = 0; a < b; ++a) {
+        if (!model.exchanges(letters[a], letters[b])) return false;
+      }
     }
-    for (auto const& [i, j] : model.exchange) {
-      if (walk(map, d, {{static_cast<std::uint8_t>(i), false}, {static_cast<std::uint8_t>(j), false}}) == d) return false;
+    return true;
+  };
+  for (unsigned subset = 1; subset < 1U << model.dimensions.size(); ++subset) {
+    std::vector<int> letters;
+    for (std::size_t k = 0; k < model.dimensions.size(); ++k) {
+      if ((subset >> k & 1U) != 0) letters.push_back(model.dimensions[k]);
+    }
+    if (!commute(letters) || (letters.size() == 1 && model.is_oriented(letters[0]))) continue;
+    Word word;
+    for (int const i : letters) word.push_back({static_cast<std::uint8_t>(i), false});
+    for (auto const& [d, arcs] : map.targets) {
+      if (walk(map, d, word) == d) return false;
     }
   }
   return true;
