@@ -58,6 +58,10 @@ bool FailingAllocation::stop() noexcept {
 
 void* operator new(std::size_t size) { return jrule::test::take(size); }
 void* operator new(std::size_t size, std::align_val_t alignment) { return jrule::test::take(size, alignment); }
+// What gives null instead of throwing is given back by the same operators, so it is taken here too.
+void* operator new(std::size_t size, std::nothrow_t const&) noexcept {
+  return jrule::test::fails() ? nullptr : std::malloc(size == 0 ? 1 : size);
+}
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
