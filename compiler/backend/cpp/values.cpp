@@ -48,8 +48,8 @@ void write_clause_on_threads(Writer& out, Function const& f, std::size_t c) {
   std::string const start =
       orbits.empty() ? fmt::format("jrule::rewrite::add_value_of_each{}({}, {}, {}, {}", dense ? "<jrule::Dart>" : "",
                                    f.new_values[component.embedding], f.handles[c], f.size, f.threads)
-                     : fmt::format("jrule::rewrite::add_values{}({}, {}, {}, {}, {}, {}", dense ? "<jrule::Dart>" : "",
-                                   f.new_values[component.embedding], orbits, f.handles[c], f.size, f.threads, f.workspace);
+                     : fmt::format("jrule::rewrite::add_values{}({}, {}, {}, {}, {}", dense ? "<jrule::Dart>" : "",
+                                   f.new_values[component.embedding], orbits, f.handles[c], f.size, f.threads);
   std::string const value = expression(*f.rule.clauses[*component.clause].value, f, Where::in_loop);
   out.open("{}, [&]({}{}) -> {} {{", start, dense ? "jrule::Dart" : "std::size_t", mentions(value, f.index) ? ' ' + f.index : "",
            type_name(f.rule.modeler->value_type(component.embedding)));

@@ -151,7 +151,10 @@ class NewValues {
   Handle extend(std::size_t count, Threads threads) {
     std::size_t const first = pool_.size(), size = first + count;
     if (size >= no_handle) throw std::length_error("too many values");
-    if (size > pool_.capacity()) jrule::reserve(pool_, std::max(size, 2 * pool_.capacity()), threads);
+    // As adding one after the other doubles it: what is added next may find room.
+    std::size_t capacity = std::max<std::size_t>(pool_.capacity(), 1);
+    while (capacity < size) capacity *= 2;
+    jrule::reserve(pool_, capacity, threads);
     pool_.resize(size);
     return static_cast<Handle>(first);
   }
