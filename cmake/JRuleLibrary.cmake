@@ -19,11 +19,13 @@ function(jrule_target_options target)
   endif()
 endfunction()
 
-# jrule_library(name SOURCES ... LINKS ...): one stage of the compiler, as a static library.
+# jrule_library(name SOURCES ... LINKS ...): one stage of the compiler, as a static library. In release builds at -O2: -O3 takes a
+# quarter longer to compile, and only the search for counterexamples is faster for it.
 function(jrule_library name)
   cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SOURCES;LINKS")
   add_library(${name} STATIC ${ARG_SOURCES})
   target_include_directories(${name} PUBLIC "${PROJECT_SOURCE_DIR}")
   target_link_libraries(${name} PUBLIC ${ARG_LINKS})
+  target_compile_options(${name} PRIVATE "$<$<CONFIG:Release>:-O2>")
   jrule_target_options(${name})
 endfunction()
