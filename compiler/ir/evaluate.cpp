@@ -115,9 +115,9 @@ class Application {
     throw std::invalid_argument("`" + std::string(spelling(function_)) + "` does not take these arguments");
   }
   Value const& value(std::size_t i) const { return std::get<Value>(arguments_[i]); }
-  std::vector<Value> const& list() const { return std::get<std::vector<Value>>(arguments_[0]); }
+  std::vector<Value> const& list() const { return std::get<List<Value>>(arguments_[0]); }
   std::size_t size() const {
-    auto const* darts = std::get_if<std::vector<Dart>>(&arguments_[0]);
+    auto const* darts = std::get_if<List<Dart>>(&arguments_[0]);
     return darts ? darts->size() : list().size();
   }
   template <class T>

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -11,8 +12,16 @@
 
 namespace jrule::ir {
 
+/// A list: a type of its own, since libstdc++ 12 takes a variant of std::vector for one that always has a value, and destroys what
+/// a copy without memory never made.
+template <class T>
+struct List : std::vector<T> {
+  using std::vector<T>::vector;
+  List(std::vector<T> list) noexcept : std::vector<T>(std::move(list)) {}
+};
+
 /// A value or a dart, or a list of them.
-using Evaluated = std::variant<Value, std::vector<Value>, Dart, std::vector<Dart>>;
+using Evaluated = std::variant<Value, List<Value>, Dart, List<Dart>>;
 
 /// The function applied to arguments of the types that sema has checked. Defined for all of them, so that no expression
 /// fails: a division by zero, the square root of a negative number and the like follow IEEE 754, Int arithmetic wraps

@@ -147,11 +147,6 @@ TEST_P(FieldFaults, WhereValuesAreDropped) {
 // ---- Values ----
 
 TEST_P(Faults, ListsLetsAndRequirements) {
-#ifdef __SANITIZE_ADDRESS__
-  // A std::variant whose copy runs out of memory: the destructor of what is half made visits it, which the sanitizer reports in
-  // libstdc++ 12 itself. The plain build has this test.
-  GTEST_SKIP() << "UndefinedBehaviorSanitizer reports the copy of a std::variant of libstdc++ 12 that runs out of memory";
-#endif
   using values::All;
   Module const module(rules + "/values.jrule");
   All const grid = read<All>("grid.ply");
