@@ -118,6 +118,7 @@ class Checker {
   }
 
   void report_unknown_name(std::string const& name, Span span) {
+    if (report_undeclared(name, span)) return;
     if (find_function(name) || (context_.externs && context_.externs->functions.contains(name))) {
       report(Code::unknown_value, span, fmt::format("`{}` is a function, not a value", name), {},
              {fmt::format("it is called with its arguments: `{}(…)`", name)});
@@ -127,7 +128,6 @@ class Checker {
       report(Code::unknown_value, span, fmt::format("a default is a constant: it cannot read `{}`", name));
       return;
     }
-    if (report_undeclared(name, span)) return;
     std::vector<std::string> known;
     for (ast::Name const& variable : variables_) known.push_back(variable.text);
     if (context_.operation) {
