@@ -4,13 +4,13 @@
 #include <set>
 
 #include "compiler/analysis/closedness.h"
-#include "compiler/analysis/completion.h"
 #include "compiler/analysis/cycles.h"
 #include "compiler/analysis/dead_left.h"
 #include "compiler/analysis/embeddings.h"
 #include "compiler/analysis/expectations.h"
 #include "compiler/analysis/incident_arcs.h"
 #include "compiler/analysis/non_orientation.h"
+#include "compiler/analysis/pattern.h"
 
 namespace jrule::analysis {
 
@@ -31,22 +31,20 @@ void append_new_dimensions(Refusals& all, Refusals more) {
 
 Verdict analyze(ir::RuleScheme const& rule) {
   Verdict verdict;
-  algebra::Group const group(rule.model());
-  Placement const placement(rule, group);
-  PatternWords const words(rule, group, placement);
+  Pattern const pattern(rule);
+  PatternWords const& words = pattern.words;
   append(verdict.refusals, check_incident_arcs(rule));
-  append_new_dimensions(verdict.refusals, check_non_orientation(rule, group, words));
-  Completed const completed = complete(rule, group, placement, words);
+  append_new_dimensions(verdict.refusals, check_non_orientation(rule, pattern.group, words));
   // What two arcs of one dimension imply is not worth saying.
   if (!gives_two_arcs(rule.left)) {
-    append(verdict.refusals, completed.dead);
-    if (completed.dead.empty()) append(verdict.refusals, check_dead_left(rule, group, placement, words));
+    append(verdict.refusals, pattern.completed.dead);
+    if (pattern.completed.dead.empty()) append(verdict.refusals, check_dead_left(rule, pattern.group, pattern.placement, words));
   }
   if (!verdict.accepted()) return verdict;
   append(verdict.refusals, check_closedness(rule, words));
-  append(verdict.refusals, check_cycles(completed.rule, group, words));
+  append(verdict.refusals, check_cycles(pattern.completed.rule, pattern.group, words));
   if (!verdict.accepted()) return verdict;
-  EmbeddingAnalysis embeddings = analyze_embeddings(completed.rule, words);
+  EmbeddingAnalysis embeddings = analyze_embeddings(pattern.completed.rule, words);
   append(verdict.refusals, std::move(embeddings.refusals));
   verdict.warnings = std::move(embeddings.warnings);
   // Completed arcs are preserved and hold wherever the rest matches: the application needs only the rule as written.

@@ -7,8 +7,7 @@
 
 #include "compiler/algebra/group.h"
 #include "compiler/analysis/alternating_paths.h"
-#include "compiler/analysis/completion.h"
-#include "compiler/analysis/relations.h"
+#include "compiler/analysis/pattern.h"
 
 namespace jrule::analysis {
 
@@ -222,10 +221,11 @@ class Certifier {
   }
 
   ir::RuleScheme const& rule_;
-  algebra::Group group_{rule_.model()};
-  Placement placement_{rule_, group_};
-  PatternWords words_{rule_, group_, placement_};
-  Completed completed_ = complete(rule_, group_, placement_, words_);
+  Pattern const pattern_{rule_};
+  algebra::Group const& group_ = pattern_.group;
+  Placement const& placement_ = pattern_.placement;
+  PatternWords const& words_ = pattern_.words;
+  Completed const& completed_ = pattern_.completed;
   SideView left_{rule_.nodes.size(), completed_.rule.left, completed_.rule.right};
   SideView right_{rule_.nodes.size(), completed_.rule.right, completed_.rule.left};
   std::set<ir::NodeId> placed_{};

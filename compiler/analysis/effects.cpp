@@ -4,9 +4,7 @@
 
 #include <algorithm>
 
-#include "compiler/analysis/completion.h"
-#include "compiler/analysis/placement.h"
-#include "compiler/analysis/relations.h"
+#include "compiler/analysis/pattern.h"
 #include "compiler/analysis/side_orbits.h"
 #include "compiler/analysis/wording.h"
 
@@ -14,29 +12,13 @@ namespace jrule::analysis {
 
 namespace {
 
-OrbitType hook_orbit(ir::RuleScheme const& rule) {
-  OrbitType type;
-  for (Letter const letter : rule.hook_type) type.words.push_back({letter});
-  return type;
-}
+struct Analysis : Pattern {
+  Analysis(ir::RuleScheme const& its_rule, Plan const& its_plan) : Pattern(its_rule), plan(its_plan) {}
 
-struct Analysis {
-  ir::RuleScheme const& rule;
   Plan const& plan;
-  algebra::Group const group{rule.model()};
-  Placement const placement{rule, group};
-  PatternWords const words{rule, group, placement};
-  Completed const completed = complete(rule, group, placement, words);
   OrbitCounter const counter{group};
-  bool const whole = rule.hooks.empty() || fills_component();
-
-  // Then the hook is the only node of the left side: any other would match darts of the component again.
-  bool fills_component() const {
-    auto const& dimensions = rule.model().dimensions;
-    return rule.hooks.size() == 1 && std::all_of(dimensions.begin(), dimensions.end(), [&](int d) {
-             return group.in_orbit({Letter{static_cast<std::uint8_t>(d), false}}, hook_orbit(rule));
-           });
-  }
+  // With one hook, that is the only node of the left side: any other would match darts of the component again.
+  bool const whole = rule.hooks.empty() || (rule.hooks.size() == 1 && fills_components());
 
   CellClass cell_class(SideOrbits const& side, SideOrbit const& orbit) const {
     CellClass found{orbit.nodes, {}, rule.hooks.empty(), orbit.reaches_out};
@@ -187,7 +169,7 @@ std::string nodes_text(ir::RuleScheme const& rule, CellClass const& cells) {
 }  // namespace
 
 Effects analyze_effects(ir::RuleScheme const& rule, Plan const& plan) {
-  Analysis const analysis{rule, plan};
+  Analysis const analysis(rule, plan);
   Effects effects{{}, analysis.count_darts(), analysis.whole};
   for (int i = 0; i <= rule.model().dimension; ++i) {
     if (auto const cell = cell_orbit(rule.model(), i)) effects.cells.push_back(analysis.of_cells(i, *cell));
@@ -197,7 +179,7 @@ Effects analyze_effects(ir::RuleScheme const& rule, Plan const& plan) {
 
 std::string why_no_count(ir::RuleScheme const& rule, Effects const& effects, CellEffects const* cells) {
   std::string const place = rule.hooks.size() > 1 ? fmt::format("`{}` has {} hooks", rule.name, rule.hooks.size())
-                                                  : fmt::format("the hook's type {} is not a whole component", to_string(hook_orbit(rule)));
+                                                  : fmt::format("the hook's type {} is not a whole component", to_string(rule.hook_orbit()));
   if (!cells) return place + ", and how many darts its pattern has is not known";
   std::string const what = orbit_names(rule.model(), cells->orbit);
   if (static_cast<std::size_t>(cells->dimension) >= ir::Count::named_cells) return fmt::format("there is no letter for {}", what);

@@ -22,27 +22,17 @@
 #include <map>
 #include <queue>
 
-#include "compiler/analysis/completion.h"
+#include "compiler/analysis/pattern.h"
 #include "compiler/analysis/wording.h"
 
 namespace jrule::analysis {
 
 namespace {
 
-OrbitType orbit_of_hook(ir::RuleScheme const& rule) {
-  OrbitType type;
-  for (Letter const letter : rule.hook_type) type.words.push_back({letter});
-  return type;
-}
+struct Analysis : Pattern {
+  Analysis(ir::RuleScheme const& its_rule, Plan const& its_plan) : Pattern(its_rule), plan(its_plan) {}
 
-struct Analysis {
-  ir::RuleScheme const& rule;
   Plan const& plan;
-  OrbitType const hook_orbit = orbit_of_hook(rule);
-  algebra::Group const group{rule.model()};
-  Placement const placement{rule, group};
-  PatternWords const words{rule, group, placement};
-  Completed const completed = complete(rule, group, placement, words);
   ir::Table const left{rule.nodes.size(), completed.rule.left};
   ir::Table const right{rule.nodes.size(), completed.rule.right};
   std::vector<Dependence> reasons{};
@@ -52,11 +42,6 @@ struct Analysis {
   bool is_removed(ir::Arc const* arc) const { return arc && !ir::find_same(completed.rule.right, *arc); }
   ir::Arc const* arc_at(ir::NodeId node, int d, bool out) const { return out ? left.out(node, d) : left.in(node, d); }
   bool changes(ir::NodeId node, int d) const { return is_removed(left.out(node, d)) || is_removed(left.in(node, d)); }
-
-  bool fills_components() const {
-    return std::all_of(rule.model().dimensions.begin(), rule.model().dimensions.end(),
-                       [&](int d) { return group.in_orbit({{static_cast<std::uint8_t>(d), false}}, hook_orbit); });
-  }
 
   // P is closed under all words of the rule; it must be no more than one orbit of the hook.
   void check_pattern() {
@@ -234,7 +219,7 @@ Independence analyze_independence(ir::RuleScheme const& rule, Plan const& plan) 
     return {{{.kind = Dependence::Kind::hooks, .first = rule.hooks[0], .second = rule.hooks[1], .span = rule.nodes[rule.hooks[1]].span(),
               .text = fmt::format("`{}` has {} hooks: it is applied at darts that are chosen together, not at each orbit", rule.name, rule.hooks.size())}}};
   }
-  Analysis analysis{rule, plan};
+  Analysis analysis(rule, plan);
   if (analysis.fills_components()) return {};  // components share nothing
   analysis.check_pattern();
   analysis.check_shared_darts();

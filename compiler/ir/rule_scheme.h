@@ -227,6 +227,8 @@ struct RuleScheme {
   std::vector<Expectation> expectations{};  ///< what the rule says of the cells afterwards; proved, not tested
 
   Model const& model() const { return modeler->model; }
+  /// ⟨o1,…,ok⟩: the darts of the first hook's orbit of this type are the pattern.
+  OrbitType hook_orbit() const;
 };
 
 /// Does the requirement depend on where the rule is applied: does it, or a `let` that it names, start at a left node?

@@ -2,6 +2,12 @@
 
 namespace jrule::ir {
 
+OrbitType RuleScheme::hook_orbit() const {
+  OrbitType type;
+  for (Letter const letter : hook_type) type.words.push_back({letter});
+  return type;
+}
+
 Table::Table(std::size_t node_count, Side const& side)
     : out_(node_count * (max_dimension + 1)), in_(node_count * (max_dimension + 1)) {
   for (Arc const& arc : side.arcs) {

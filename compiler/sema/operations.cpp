@@ -363,8 +363,7 @@ struct Body {
              {fmt::format("`{}` is applied once for each orbit of its hook there", rule.name)});
       return {};
     }
-    OrbitType hook;
-    for (Letter const letter : rule.hook_type) hook.words.push_back({letter});
+    OrbitType const hook = rule.hook_orbit();
     auto const is_inside = [&](Word const& word) { return group.in_orbit(word, over->orbit); };
     if (over && !std::all_of(hook.words.begin(), hook.words.end(), is_inside)) {
       report(Code::orbit_not_inside, orbit->type.span,

@@ -38,8 +38,7 @@ std::optional<DartTest> test_of(ir::RuleScheme const& rule, ir::Expr const& aggr
   auto const* each = std::get_if<ir::ForEach>(&apply->arguments[0]->value);
   if (!each) return {};
   auto const* from = std::get_if<ir::NodeDart>(&each->over.at->value);
-  OrbitType type;
-  for (Letter const letter : rule.hook_type) type.words.push_back({letter});
+  OrbitType const type = rule.hook_orbit();
   OrbitType const& orbit = each->over.orbit;
   if (!from || from->node != rule.hooks.front() || !contains(orbit, type) || !contains(type, orbit)) return {};
   if (ir::find_call(*each->element) || !depends_only_on(each->variable, each->over.by, *each->element)) return {};

@@ -15,14 +15,8 @@ namespace jrule::cpp {
 
 namespace {
 
-std::string hook_type(ir::RuleScheme const& rule) {
-  OrbitType type;
-  for (Letter const letter : rule.hook_type) type.words.push_back({letter});
-  return jrule::to_string(type);
-}
-
 std::string role(Function const& f, ir::Node const& node) {
-  if (node.hook) return *node.hook == 0 ? "hook " + hook_type(f.rule) : "hook";
+  if (node.hook) return *node.hook == 0 ? "hook " + jrule::to_string(f.rule.hook_orbit()) : "hook";
   return node.added() ? "added" : "kept";
 }
 
@@ -73,7 +67,7 @@ void document(Writer& out, Function const& f, bool hooks) {
     for (std::string const& line : documentation(f.rule.doc)) out.text(line.empty() ? "///" : "/// " + line);
   } else {
     out.line("/// Applies `{}` at each {}-orbit, {}; orbits where it is not applicable stay as they are.", f.names.function,
-             hook_type(f.rule), f.independent ? "all at once" : "one after the other in the order of their smallest darts");
+             jrule::to_string(f.rule.hook_orbit()), f.independent ? "all at once" : "one after the other in the order of their smallest darts");
   }
   out.line("///");
   out.line("/// {}", place(f.sources, f.rule.span));
@@ -226,9 +220,7 @@ std::vector<std::string> arguments(Function const& f, std::vector<std::string> f
 }
 
 void write_orbit_type(Writer& out, Function const& f) {
-  OrbitType type;
-  for (Letter const letter : f.rule.hook_type) type.words.push_back({letter});
-  out.line("static jrule::OrbitType const {} = {};", f.local("orbit"), orbit_expression(type));
+  out.line("static jrule::OrbitType const {} = {};", f.local("orbit"), orbit_expression(f.rule.hook_orbit()));
 }
 
 void define_in_turn(Writer& out, Function const& f) {
@@ -315,7 +307,7 @@ void define_within(Writer& out, Function const& f, Listed const& listed) {
   for (std::size_t p = 0; p < f.parameters.size(); ++p) {
     parameters.push_back(fmt::format("{}{} {}", f.uses_parameter[p] ? "" : "[[maybe_unused]] ", parameter_type(f.rule.parameters[p].value_type()), f.parameters[p]));
   }
-  out.line("// `{}` at each {}-orbit inside ⟨{}⟩({}), all at once.", f.names.function, hook_type(f.rule), f.local("type"), f.hooks[0]);
+  out.line("// `{}` at each {}-orbit inside ⟨{}⟩({}), all at once.", f.names.function, jrule::to_string(f.rule.hook_orbit()), f.local("type"), f.hooks[0]);
   open_call(out, fmt::format("static jrule::Result<std::size_t> {}", f.names.within), parameters, " try {", true);
   write_body(out, f, true, [&](Writer& body) {
     write_orbit_type(body, f);

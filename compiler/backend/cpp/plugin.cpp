@@ -167,11 +167,9 @@ std::string write_code(Writer& out, PluginRule const& rule, std::size_t number) 
   if (!is_callable(f.rule.parameters)) return "{}";
   write_apply(out, rule, number);
   if (has_computed_default(f.rule.parameters)) write_computed_defaults(out, f.rule.parameters, number);
-  OrbitType type;
-  for (Letter const letter : f.rule.hook_type) type.words.push_back({letter});
   return fmt::format("{{apply_{}, {}, {}, {}}}", number,
                      f.independent ? fmt::format("apply_{}_at_once", number) : "nullptr",
-                     f.rule.hooks.size() == 1 ? fmt::format("[] {{ return {}; }}", orbit_expression(type)) : "nullptr",
+                     f.rule.hooks.size() == 1 ? fmt::format("[] {{ return {}; }}", orbit_expression(f.rule.hook_orbit())) : "nullptr",
                      has_computed_default(f.rule.parameters) ? fmt::format("computed_default_{}", number) : "nullptr");
 }
 

@@ -381,9 +381,7 @@ Result<Applied> apply(ir::RuleScheme const& rule, analysis::Plan const& plan, Ma
 Result<std::size_t> apply_everywhere(ir::RuleScheme const& rule, analysis::Plan const& plan, Map& map,
                                      std::vector<Value> const& arguments, rewrite::Workspace& workspace) {
   return or_no_memory(rule, [&] {
-    OrbitType type;
-    for (Letter const letter : rule.hook_type) type.words.push_back({letter});
-    return rewrite::apply_everywhere(map, type, [&](Dart d) -> Result<void> {
+    return rewrite::apply_everywhere(map, rule.hook_orbit(), [&](Dart d) -> Result<void> {
       auto const applied = apply(rule, plan, map, {d}, arguments, workspace);
       if (!applied) return tl::unexpected(applied.error());
       return {};
@@ -400,9 +398,7 @@ Result<std::size_t> apply_at_once(ir::RuleScheme const& rule, analysis::Plan con
   return or_no_memory(rule, [&]() -> Result<std::size_t> {
     if (auto const checked = check_input(rule, map, 1, arguments.size()); !checked) return tl::unexpected(checked.error());
     if (map.dart_count() == 0) return std::size_t{0};
-    OrbitType type;
-    for (Letter const letter : rule.hook_type) type.words.push_back({letter});
-    rewrite::Applications applications = find(type);
+    rewrite::Applications applications = find(rule.hook_orbit());
     Dart const first_dart = applications.pattern.front();
     Application all{rule, plan, map, arguments, workspace, threads};
     std::size_t const count = all.find_all_matches(std::move(applications));
