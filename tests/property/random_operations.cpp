@@ -4,48 +4,11 @@
 
 #include <vector>
 
+#include "tests/process/process.h"
+
 namespace jrule::property {
 
 namespace {
-
-char const rules[] = R"(
-modeler S on gmap(2) {
-  embedding position : vertex -> Point3 { merge mean; }
-  embedding n        : face -> Int { default 0; merge max; }
-}
-rule triangle(x: Real = 0) on S {
-  left { }
-  right {
-    a { position = Point3(x, 0, 0); } b { position = Point3(x + 1, 0, 0); } c; d { position = Point3(x, 1, 0); } e; f;
-    a -0- b -1- c -0- d -1- e -0- f -1- a;
-    a -2- a; b -2- b; c -2- c; d -2- d; e -2- e; f -2- f;
-  }
-}
-rule split on S {
-  left { hook a <0,2>; }
-  right { a <_,2>; b <1,2> { position = mean(<0>(a).position); } a -0- b; }
-}
-rule touch(k: Int = 1) on S {
-  left { hook f <0,1>; }
-  right { f { n = f.n + k; } }
-}
-rule touch_even(k: Int) on S {
-  left { hook f <0,1>; let m = f.n + k; require m < 12; }
-  right { f { n = m; } }
-}
-rule sew on S {
-  left { hook a <0>; hook b <0>; a -2- a; b -2- b; }
-  right { a; b; a -2- b; }
-}
-rule unsew on S {
-  left { hook a <0>; b <0>; a -2- b; }
-  right { a; b; a -2- a; b -2- b; }
-}
-rule remove_face on S {
-  left { hook a <0,1>; a -2- a; }
-  right { }
-}
-)";
 
 // The body of one operation: variables by their types, as far as they are known at the place that is written.
 struct Author {
@@ -200,7 +163,7 @@ struct Author {
 }  // namespace
 
 std::string random_operations(std::size_t count, Random& random) {
-  std::string text = rules;
+  std::string text = tests::read(JRULE_SOURCE_DIR "/tests/data/polygons.jrule");
   for (std::size_t i = 0; i < count; ++i) {
     Author author{random, i};
     author.text = fmt::format("operation f{}(d: Dart, n: Int) on S -> Int {{\n", i);

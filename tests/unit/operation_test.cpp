@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "jrule/io.h"
+#include "tests/process/process.h"
 #include "tests/unit/operation_fixture.h"
 
 namespace jrule {
@@ -11,37 +12,7 @@ using ir::Evaluated;
 using tests::bits;
 using tests::Operations;
 
-// Polygons in space that are opened, sewn and coloured. `n` of a face counts what has touched it.
-std::string const surface = R"(
-modeler S on gmap(2) {
-  embedding position : vertex -> Point3 { merge mean; }
-  embedding n        : face -> Int { default 0; merge max; }
-}
-rule triangle(x: Real = 0) on S {
-  left { }
-  right {
-    a { position = Point3(x, 0, 0); } b { position = Point3(x + 1, 0, 0); } c; d { position = Point3(x, 1, 0); } e; f;
-    a -0- b -1- c -0- d -1- e -0- f -1- a;
-    a -2- a; b -2- b; c -2- c; d -2- d; e -2- e; f -2- f;
-  }
-}
-rule split on S {
-  left { hook a <0,2>; }
-  right { a <_,2>; b <1,2> { position = mean(<0>(a).position); } a -0- b; }
-}
-rule touch(k: Int = 1) on S {
-  left { hook f <0,1>; }
-  right { f { n = f.n + k; } }
-}
-rule sew on S {
-  left { hook a <0>; hook b <0>; a -2- a; b -2- b; }
-  right { a; b; a -2- b; }
-}
-rule remove_face on S {
-  left { hook a <0,1>; a -2- a; }
-  right { }
-}
-)";
+std::string const surface = tests::read(JRULE_SOURCE_DIR "/tests/data/polygons.jrule");
 
 std::int64_t number(Map const& map, Dart d) { return std::get<std::int64_t>(map.embedding(1).value(map.embedding(1).handle(d))); }
 
