@@ -1,6 +1,7 @@
 #include "tests/stdlib/application.h"
 
 #include "compiler/backend/interpreter/interpreter.h"
+#include "compiler/sema/elaborate.h"
 
 namespace jrule::test {
 
@@ -36,6 +37,25 @@ std::string refusal(Module::Rule const& rule, Map const& map, std::vector<Dart> 
   if (applied) return {};
   EXPECT_EQ(print_jmap(changed), print_jmap(map)) << rule.scheme.name;
   return to_string(applied.error());
+}
+
+std::optional<Module::Rule> find_instance(std::string const& family, std::vector<int> const& dimensions, int n) {
+  static source::Sources sources;
+  static source::Diagnostics loading;
+  static sema::Modules const modules =
+      sema::load(JRULE_SOURCE_DIR "/stdlib/std/basic.jrule", {JRULE_SOURCE_DIR "/stdlib", {}}, sources, loading);
+  source::Diagnostics diagnostics;
+  auto scheme = sema::instantiate(modules, family, dimensions, n, diagnostics);
+  if (!scheme || diagnostics.has_errors()) return {};
+  analysis::Verdict verdict = analysis::analyze(*scheme);
+  if (!verdict.accepted()) return {};
+  return Module::Rule{std::move(*scheme), std::move(verdict.plan)};
+}
+
+Module::Rule instance(std::string const& family, std::vector<int> const& dimensions, int n) {
+  auto found = find_instance(family, dimensions, n);
+  if (!found) throw std::runtime_error("there is no such " + family);
+  return std::move(*found);
 }
 
 }  // namespace jrule::test

@@ -1,6 +1,8 @@
 // Rules of the library, applied by the interpreter.
 #pragma once
 
+#include <optional>
+
 #include "tests/integration/both.h"
 
 namespace jrule::test {
@@ -15,5 +17,11 @@ std::vector<std::vector<Dart>> apply(Module::Rule const& rule, Map& map, std::ve
 /// Why it is not applicable there; empty if it is. The map has to stay as it was.
 std::string refusal(Module::Rule const& rule, Map const& map, std::vector<Dart> const& hooks,
                     std::vector<Value> const& arguments = {});
+
+/// The rules of std.basic stand for one in each dimension: that of these dimensions, on gmap(n). None if there is none, or if it
+/// is refused.
+std::optional<Module::Rule> find_instance(std::string const& family, std::vector<int> const& dimensions, int n);
+/// The same, and fails the test if there is none.
+Module::Rule instance(std::string const& family, std::vector<int> const& dimensions, int n);
 
 }  // namespace jrule::test

@@ -1,47 +1,11 @@
 // The families of every dimension, on paths and polygons, surfaces, and solids.
-#include "compiler/sema/elaborate.h"
 #include "tests/reference/plain_map.h"
 #include "tests/stdlib/application.h"
 #include "tests/stdlib/measure.h"
-#include "tests/stdlib/shapes.h"
+#include "tests/stdlib/subjects.h"
 
 namespace jrule::test {
 namespace {
-
-/// The member of a family for these dimensions, on gmap(n).
-Module::Rule instance(std::string const& family, std::vector<int> const& dimensions, int n) {
-  static source::Sources sources;
-  static source::Diagnostics loading;
-  static sema::Modules const modules =
-      sema::load(JRULE_SOURCE_DIR "/stdlib/std/basic.jrule", {JRULE_SOURCE_DIR "/stdlib", {}}, sources, loading);
-  source::Diagnostics diagnostics;
-  auto scheme = sema::instantiate(modules, family, dimensions, n, diagnostics);
-  if (!scheme || diagnostics.has_errors()) throw std::runtime_error("there is no such " + family);
-  analysis::Verdict verdict = analysis::analyze(*scheme);
-  EXPECT_TRUE(verdict.accepted()) << family << " of dimension " << n;
-  return {std::move(*scheme), std::move(verdict.plan)};
-}
-
-/// The arcs of a map, without its values.
-Map bare(Map const& map) {
-  Map copy(map.model());
-  copy.add_darts(map.dart_count());
-  for (Dart const d : map.darts()) {
-    for (int const i : map.model().dimensions) copy.set_target(d, i, map.target(d, i));
-  }
-  return copy;
-}
-
-/// n edges one after the other, open or round.
-Map path(Dart n, bool round) {
-  Map map(gmap(1));
-  map.add_darts(2 * n);
-  for (Dart k = 0; k < n; ++k) {
-    map.link(2 * k, 0, 2 * k + 1);
-    if (round || k + 1 < n) map.link(2 * k + 1, 1, (2 * k + 2) % (2 * n));
-  }
-  return map;
-}
 
 std::vector<Map> maps(int n) {
   std::vector<Map> all;

@@ -160,6 +160,22 @@ Shape moebius(std::size_t n) {
   return result;
 }
 
+Shape kis(Shape shape) {
+  shape.name = "kis of the " + shape.name;
+  std::vector<Vertices> triangles;
+  for (Vertices const& face : shape.polygons.faces) {
+    Vec3 center{};
+    for (std::size_t const v : face)
+      center = center + (shape.polygons.points[v] - Point3{}) / static_cast<double>(face.size());
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      triangles.push_back({face[k], face[(k + 1) % face.size()], shape.polygons.points.size()});
+    }
+    shape.polygons.points.push_back(Point3{} + 1.1 * center);
+  }
+  shape.polygons.faces = std::move(triangles);
+  return shape;
+}
+
 Map build(ir::Modeler const& modeler, Polygons const& polygons) {
   Map map(modeler.model, modeler.embeddings);
   bool const oriented = modeler.model.is_oriented(1);

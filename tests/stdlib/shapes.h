@@ -25,6 +25,8 @@ Shape prism(std::size_t n);
 Shape grid(std::size_t n, std::size_t m);
 /// A strip of n quads with half a turn, which has one side.
 Shape moebius(std::size_t n);
+/// Every face cut into triangles around its centre.
+Shape kis(Shape shape);
 
 /// A map of a modeler on gmap(2) or omap(2) whose first embedding is of points on vertices; others have their defaults.
 /// Faces become darts in their order. A free edge stays a loop: none for an O-map.

@@ -71,6 +71,16 @@ TEST(Shapes, PlatonicSolids) {
   }
 }
 
+TEST(Shapes, EachWithItsDefaults) {
+  for (ir::Operation const& operation : shapes().program.operations) {
+    std::vector<ir::Evaluated> arguments;
+    for (ir::Parameter const& parameter : operation.parameters) arguments.emplace_back(parameter.default_value.value());
+    auto const made = shapes().make(operation.name, arguments);
+    ASSERT_TRUE(made) << operation.name << ": " << made.error().message;
+    EXPECT_EQ(summarize(*made).components, 1U) << operation.name;
+  }
+}
+
 TEST(Shapes, OfManySides) {
   using Cells = std::vector<std::size_t>;
   for (std::size_t const n : {3, 4, 5, 8, 13}) {

@@ -84,23 +84,6 @@ std::vector<Edit> const edits{
     {"dissolve_vertex", each_dart, DELTA(-1, -m, 1 - m), Edit::On::surfaces, {}, {}, false},
 };
 
-/// Every face cut into triangles around its centre.
-Shape kis(Shape shape) {
-  shape.name = "kis of the " + shape.name;
-  std::vector<Vertices> triangles;
-  for (Vertices const& face : shape.polygons.faces) {
-    Vec3 center{};
-    for (std::size_t const v : face)
-      center = center + (shape.polygons.points[v] - Point3{}) / static_cast<double>(face.size());
-    for (std::size_t k = 0; k < face.size(); ++k) {
-      triangles.push_back({face[k], face[(k + 1) % face.size()], shape.polygons.points.size()});
-    }
-    shape.polygons.points.push_back(Point3{} + 1.1 * center);
-  }
-  shape.polygons.faces = std::move(triangles);
-  return shape;
-}
-
 std::vector<Shape> shapes(bool closed) {
   std::vector<Shape> all;
   for (Shape const& shape : closed_surfaces()) {
