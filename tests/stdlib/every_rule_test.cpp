@@ -29,6 +29,7 @@ struct Open {
 std::map<std::string, Open> const open_counts{
     {"sew_edges", {"V", "vertices may be one already"}},
     {"unsew_edge", {"V", "a vertex becomes two if it is on a border"}},
+    {"join_sides", {"VF", "vertices and faces may be one already"}},
     {"sew_volumes", {"VE", "vertices and edges may be one already"}},
     {"unsew_volumes", {"VE", "vertices and edges become two if they are on a border there"}},
     {"sew", {"", "cells may be one already"}},
@@ -78,7 +79,12 @@ struct Audit {
   }
 
   void run() {
-    for (Subject const& subject : subjects_for(rule.scheme)) {
+    run(subjects_for(rule.scheme));
+    if (applied.empty()) run(unfinished_subjects(*rule.scheme.modeler));
+  }
+
+  void run(std::vector<Subject> const& subjects) {
+    for (Subject const& subject : subjects) {
       SCOPED_TRACE(subject.name);
       std::size_t const most = effects.whole ? 1 : 3;
       std::size_t times = 0;

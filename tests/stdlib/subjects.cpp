@@ -195,6 +195,23 @@ std::vector<Subject> subjects(ir::Modeler const& modeler) {
   return modeler.model.dimension == 2 ? surfaces_of(modeler) : solids_of(modeler);
 }
 
+std::vector<Subject> unfinished_subjects(ir::Modeler const& modeler) {
+  static Module const module(JRULE_SOURCE_DIR "/stdlib/std/holes.jrule");
+  std::vector<Subject> found;
+  if (modeler.model.dimension != 2 || modeler.model.is_oriented(1)) return found;
+  for (Subject& subject : surfaces_of(modeler)) {
+    if (subject.closed) continue;
+    for (int sides = 0; sides < 2; ++sides) {
+      std::vector<Dart> const darts = subject.map.darts();
+      auto const free = std::find_if(darts.begin(), darts.end(), [&](Dart d) { return subject.map.target(d, 2) == d; });
+      apply(module.rule("add_side"), subject.map, {*free});
+    }
+    subject.name = subject.shape = subject.name + " with two open sides";
+    found.push_back(std::move(subject));
+  }
+  return found;
+}
+
 namespace {
 
 std::vector<Subject> paths() {

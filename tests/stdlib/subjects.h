@@ -23,6 +23,8 @@ struct Subject {
 /// modelers of one dimension, subjects of the same name are the same shape; dart d of the O-map is dart 2d of the G-map
 /// where that has one. For O-maps those with one side are left out, and faces of solids that stand by themselves.
 std::vector<Subject> subjects(ir::Modeler const& modeler);
+/// Of gmap(2), the open ones with two sides of faces that are open themselves: what rules make on their way.
+std::vector<Subject> unfinished_subjects(ir::Modeler const& modeler);
 /// Of gmap(n), 1 ≤ n ≤ 3, without values; no two are alike.
 std::vector<Subject> bare_subjects(int n);
 
