@@ -48,6 +48,8 @@ std::vector<Output> produce(EmitOptions const& options, Compilation& compilation
     }
   } else if (options.stage == "dot") {
     for (ir::RuleScheme const& rule : program.rules) outputs.push_back({file_name(rule.name, ".dot"), draw::rule_dot(rule)});
+  } else if (options.stage == "svg") {
+    for (ir::RuleScheme const& rule : program.rules) outputs.push_back({file_name(rule.name, ".svg"), draw::rule_svg(rule)});
   } else if (options.stage == "certificate") {
     for (std::size_t i = 0; i < program.rules.size(); ++i) {
       ir::RuleScheme const& rule = program.rules[i];
@@ -67,7 +69,6 @@ std::vector<Output> produce(EmitOptions const& options, Compilation& compilation
 }  // namespace
 
 int emit(EmitOptions const& options) {
-  if (options.stage == "svg") return not_implemented("emit " + options.stage);
   if (options.directory.empty() && (!options.depfile.empty() || options.write_if_changed)) {
     print_error("`--depfile` and `--write-if-changed` need a folder to write to: `-o DIR`");
     return exit_usage;

@@ -2,12 +2,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <array>
 #include <filesystem>
 
-#include "compiler/analysis/effects.h"
-#include "compiler/analysis/wording.h"
+#include "compiler/analysis/effects_wording.h"
 #include "compiler/driver/compile.h"
 #include "compiler/driver/reference.h"
 #include "compiler/driver/report.h"
@@ -21,15 +19,14 @@ using analysis::CellEffects;
 using analysis::OrbitCount;
 
 struct Kind {
-  char const* title;
   char const* key;
   std::vector<CellClass> CellEffects::* classes;
 };
-constexpr std::array<Kind, 5> kinds{{{"new", "created", &CellEffects::created},
-                                     {"deleted", "deleted", &CellEffects::deleted},
-                                     {"may be split", "split", &CellEffects::split},
-                                     {"may merge", "merged", &CellEffects::merged},
-                                     {"kept", "kept", &CellEffects::kept}}};
+constexpr std::array<Kind, 5> kinds{{{"created", &CellEffects::created},
+                                     {"deleted", &CellEffects::deleted},
+                                     {"split", &CellEffects::split},
+                                     {"merged", &CellEffects::merged},
+                                     {"kept", &CellEffects::kept}}};
 
 std::vector<std::string> names(ir::RuleScheme const& rule, CellClass const& cells) {
   std::vector<std::string> found;
@@ -37,57 +34,14 @@ std::vector<std::string> names(ir::RuleScheme const& rule, CellClass const& cell
   return found;
 }
 
-// "one", "one for each vertex", "at most one for each dart".
-std::string number(ir::RuleScheme const& rule, CellClass const& cells) {
-  if (cells.single) return "one";
-  return fmt::format("{}one for each {}", cells.reaches_out ? "at most " : "",
-                     cells.per.words.empty() ? "dart" : analysis::orbit_name(rule.model(), cells.per));
-}
-
-std::string sum_text(OrbitCount const& count) {
-  std::string text = to_string(count.count);
-  if (!count.others.empty() && count.count == ir::Count{}) text.clear();
-  for (OrbitType const& other : count.others) text += fmt::format("{}orbits {}", text.empty() ? "" : " + ", to_string(other));
-  return text;
-}
-
-std::string count_line(std::optional<int> cell, OrbitCount const& count, analysis::OrbitCounter const& counter) {
-  constexpr auto condition = "where there is no border";
-  std::string text = fmt::format("  {}' = {}", ir::count_name(cell), sum_text(count));
-  if (count.regular_only) return fmt::format("{}   {}\n", text, condition);
-  // Cells are what a surface is known by, not darts.
-  OrbitCount const in_cells{counter.readable(count.count), true, count.others};
-  bool const shorter = cell && !count.count.darts.is_zero() && in_cells.count.darts.is_zero();
-  return shorter ? fmt::format("{}, {} {}\n", text, sum_text(in_cells), condition) : text + "\n";
-}
-
 std::string text_of(ir::RuleScheme const& rule, analysis::Effects const& effects) {
-  std::string type;
-  for (Letter const letter : rule.hook_type) type += fmt::format("{}{}", type.empty() ? "" : ",", letter.dimension);
-  std::string text = fmt::format("{} on {}: ", rule.name, rule.modeler->name);
-  if (rule.hooks.empty()) {
-    text += "creates\n";
-  } else if (effects.whole) {
-    text += "applied to whole components\n";
-  } else {
-    text += fmt::format("its pattern is the orbit <{}> of `{}`\n", type, rule.nodes[rule.hooks.front()].name);
+  analysis::EffectsWording const wording = analysis::describe(rule, effects);
+  std::string text = fmt::format("{} on {}: {}\n", rule.name, rule.modeler->name, wording.where);
+  for (analysis::EffectLine const& line : wording.lines) {
+    text += fmt::format("  {:<9} {:<13} {:<20} {}\n", line.cells, line.effect, fmt::format("`{}`", fmt::join(line.nodes, "`, `")), line.number);
   }
-  std::string counts;
-  algebra::Group const group(rule.model());
-  analysis::OrbitCounter const counter(group);
-  for (CellEffects const& cells : effects.cells) {
-    std::string title = analysis::orbit_names(rule.model(), cells.orbit);
-    if (title.starts_with("orbits")) title = fmt::format("{}-cells", cells.dimension);
-    for (Kind const& kind : kinds) {
-      for (CellClass const& c : cells.*kind.classes) {
-        text += fmt::format("  {:<9} {:<13} {:<20} {}\n", title, kind.title, fmt::format("`{}`", fmt::join(names(rule, c), "`, `")), number(rule, c));
-        title.clear();
-      }
-    }
-    if (cells.count) counts += count_line(cells.dimension, *cells.count, counter);
-  }
-  if (effects.darts) counts += count_line({}, *effects.darts, counter);
-  return text + counts;
+  for (std::string const& count : wording.counts) text += fmt::format("  {}\n", count);
+  return text;
 }
 
 std::string json_of(CellClass const& cells, ir::RuleScheme const& rule) {

@@ -14,6 +14,12 @@ namespace jrule::draw {
 /// red, the hook doubled; a non-oriented arc is one undirected edge, words in brackets, as in the paper's figures.
 std::string rule_dot(ir::RuleScheme const& rule);
 
+/// The rule as a standalone SVG in the manner of the papers' figures: left and right side, nodes that are on both at one place; hooks
+/// have a double ring, deleted nodes are red, added ones green. Under its name a node says what becomes of each dimension of
+/// the hook's type, `_` if its arcs go. 0-arcs are black, 1-arcs red and dashed, 2-arcs blue and double, 3-arcs green and dotted; an
+/// arc without a reverse has a tip, and a small ring is at the end from which a word is read. Equal rules, equal bytes.
+std::string rule_svg(ir::RuleScheme const& rule);
+
 /// A surface seen from a fixed direction (from +x, +y and +z, y up), lit, hidden faces painted over, edges drawn: a
 /// standalone SVG of at most `width` x `width` pixels. Needs an embedding of type Point3 (or Point2, then seen from +z)
 /// on vertices; another embedding of type Color on faces colours them. An error for a map without darts, an open face

@@ -9,6 +9,7 @@
 
 #include "compiler/backend/draw/draw.h"
 #include "compiler/backend/draw/graph_layout.h"
+#include "compiler/backend/draw/style.h"
 
 namespace jrule::draw {
 
@@ -18,28 +19,7 @@ using analysis::Counterexample;
 using analysis::Graph;
 
 constexpr double dart_radius = 11, scale = 78, margin = 56;
-constexpr char const *broken_color = "#ffb300", *added_color = "#c8e6c9", *deleted_color = "#ffcdd2";
-
-std::string color_of(int dimension) {
-  static constexpr char const* colors[] = {"#212121", "#c62828", "#1565c0", "#2e7d32", "#ef6c00",
-                                           "#6a1b9a", "#00838f", "#ad1457", "#5d4037", "#827717"};
-  return colors[dimension];
-}
-
-std::string escape(std::string const& text) {
-  std::string result;
-  for (char const c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else
-      result += c;
-  }
-  return result;
-}
+constexpr char const* broken_color = "#ffb300";
 
 /// Arcs as they are drawn: an arc and its reverse are one line without an arrow.
 struct Line {

@@ -7,6 +7,7 @@
 
 #include "compiler/algebra/group.h"
 #include "compiler/backend/draw/draw.h"
+#include "compiler/backend/draw/rule_lines.h"
 
 namespace jrule::draw {
 
@@ -28,43 +29,8 @@ std::string quoted(std::string_view text) {
   return result + '"';
 }
 
-/// " 2 " for the empty word, else " 2[0,~1] ": the blanks keep nested loops and their labels apart.
-std::string arc_label(ir::Arc const& arc) {
-  std::string label = ' ' + std::to_string(arc.dimension);
-  for (std::size_t i = 0; i < arc.word.size(); ++i) {
-    label += i == 0 ? '[' : ',';
-    label += to_string(Word{arc.word[i]});
-  }
-  return label + (arc.word.empty() ? " " : "] ");
-}
-
-struct Line {
-  ir::Arc const* arc;
-  bool both_ways;   ///< the arc and its reverse
-  bool palindrome;  ///< the word is its own conjugate
-  bool preserved;
-};
-
-/// The lines of a side in the order of writing: each arc alone or with its reverse, once. An arc is joined only with a
-/// reverse of the same colour.
-std::vector<Line> lines(algebra::Group const& group, ir::Side const& side, ir::Side const& other_side) {
-  std::vector<Line> result;
-  std::vector<bool> drawn(side.arcs.size(), false);
-  for (std::size_t i = 0; i < side.arcs.size(); ++i) {
-    if (drawn[i]) continue;
-    ir::Arc const& arc = side.arcs[i];
-    ir::Arc const reverse{arc.target, arc.dimension, group.inverse(arc.word), arc.source, {}};
-    bool const preserved = ir::find_same(other_side, arc) != nullptr;
-    bool both_ways = reverse.same(arc);
-    for (std::size_t j = i + 1; j < side.arcs.size() && !both_ways; ++j) {
-      if (drawn[j] || !side.arcs[j].same(reverse)) continue;
-      if ((ir::find_same(other_side, reverse) != nullptr) != preserved) continue;
-      both_ways = drawn[j] = true;
-    }
-    result.push_back({&arc, both_ways, reverse.word == arc.word, preserved});
-  }
-  return result;
-}
+/// The blanks keep nested loops and their labels apart.
+std::string padded_label(ir::Arc const& arc) { return ' ' + arc_label(arc) + ' '; }
 
 std::string print_node(ir::RuleScheme const& rule, ir::NodeId id, char side) {
   ir::Node const& node = rule.nodes[id];
@@ -74,10 +40,10 @@ std::string print_node(ir::RuleScheme const& rule, ir::NodeId id, char side) {
   return text + "];\n";
 }
 
-std::string print_line(Line const& line, char side) {
+std::string print_line(RuleLine const& line, char side) {
   ir::Arc const& arc = *line.arc;
   std::string text =
-      fmt::format("    {0}{1} -> {0}{2} [label={3}", side, arc.source, arc.target, quoted(arc_label(arc)));
+      fmt::format("    {0}{1} -> {0}{2} [label={3}", side, arc.source, arc.target, quoted(padded_label(arc)));
   if (line.both_ways) {
     bool const read_from_source = !line.palindrome && arc.source != arc.target;
     text += read_from_source ? ", dir=back, arrowtail=odot" : ", dir=none";
@@ -99,7 +65,7 @@ std::string print_side(ir::RuleScheme const& rule, algebra::Group const& group, 
   }
   // Graphviz shows no cluster without nodes.
   if (empty) text += fmt::format("    {} [label=\"∅\", shape=plaintext];\n", side);
-  for (Line const& line : left ? lines(group, rule.left, rule.right) : lines(group, rule.right, rule.left)) {
+  for (RuleLine const& line : left ? rule_lines(group, rule.left, rule.right) : rule_lines(group, rule.right, rule.left)) {
     text += print_line(line, side);
   }
   return text + "  }\n";

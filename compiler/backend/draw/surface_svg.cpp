@@ -8,6 +8,7 @@
 
 #include "compiler/algebra/group.h"
 #include "compiler/backend/draw/draw.h"
+#include "compiler/backend/draw/style.h"
 
 namespace jrule::draw {
 
@@ -179,17 +180,6 @@ Color shade(Color base, Vec3 area, View const& view) {
 /// 0..1 as 0..255; what is outside is held, NaN is 0.
 int byte(double component) {
   return component > 0 ? static_cast<int>(std::lround(255 * std::min(component, 1.0))) : 0;
-}
-
-std::string escape(std::string const& text) {
-  std::string result;
-  for (char c : text) {
-    if (c == '&') result += "&amp;";
-    else if (c == '<') result += "&lt;";
-    else if (c == '>') result += "&gt;";
-    else result += c;
-  }
-  return result;
 }
 
 }  // namespace
