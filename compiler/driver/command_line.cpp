@@ -130,6 +130,13 @@ int run(int argc, char const* const* argv) {
     status = explain(explain_options);
   });
 
+  DocsOptions docs_options;
+  CLI::App& docs_command = *app.add_subcommand("docs", "write a page on each file: what it documents, what is proved, and pictures of its rules");
+  add_common(docs_command, docs_options.common);
+  docs_command.add_option("FILE", docs_options.files, "source files; several get an index, index.html")->required();
+  docs_command.add_option("-o,--output", docs_options.directory, "folder to write to; of one file, else to standard output")->type_name("DIR");
+  docs_command.callback([&] { status = docs(docs_options); });
+
   for (char const* const name : {"lsp"}) {
     CLI::App& command = *app.add_subcommand(name, "not yet implemented");
     command.allow_extras();

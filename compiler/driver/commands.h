@@ -46,6 +46,13 @@ int emit(EmitOptions const& options);
 /// Its stage `plugin`.
 int emit_plugin(EmitOptions const& options);
 
+struct DocsOptions {
+  Common common;
+  std::vector<std::string> files;
+  std::string directory;  ///< -o; empty: standard output, of one file
+};
+int docs(DocsOptions const& options);
+
 struct ApplyOptions {
   Common common;
   std::string rule;  ///< FILE:RULE; RULE or MODULE:RULE of a plugin

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "compiler/analysis/counterexample/counterexample.h"
 #include "compiler/ir/rule_scheme.h"
@@ -25,6 +26,10 @@ std::string rule_svg(ir::RuleScheme const& rule);
 /// on vertices; another embedding of type Color on faces colours them. An error for a map without darts, an open face
 /// or a position that is missing or not finite. Cost: O(faces · log faces).
 Result<std::string> surface_svg(Map const& map, int width = 800);
+
+/// The same of several maps in one frame, so that pictures of a surface before and after can be compared: they are of one size, seen from
+/// where the first one is, and what is at one place lies at one place. An error if one of them has no picture.
+Result<std::vector<std::string>> surface_svgs(std::vector<Map const*> const& maps, int width);
 
 /// The map before and the graph after, side by side: darts as numbered dots, the hooks ringed, arcs coloured and labelled by
 /// dimension, an arrow on those without a reverse, what breaks the model highlighted: a standalone SVG.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <span>
 
 #include "compiler/algebra/group.h"
 #include "compiler/backend/draw/draw.h"
@@ -99,8 +100,7 @@ Result<Polygons> find_polygons(Map const& map) {
   return polygons;
 }
 
-/// The position of each corner, moved to the middle and scaled so that every coordinate is in -1..1: nothing that is
-/// computed from them overflows.
+/// The position of each corner.
 Result<std::vector<Point3>> corner_positions(Embedding const& positions, std::vector<Dart> const& corners) {
   std::vector<Point3> points;
   points.reserve(corners.size());
@@ -110,6 +110,12 @@ Result<std::vector<Point3>> corner_positions(Embedding const& positions, std::ve
     points.push_back(to_point3(positions.value(handle)));
     if (!finite(points.back())) return bad(fmt::format("the `{}` of dart {} is not finite", positions.spec().name, d));
   }
+  return points;
+}
+
+/// Moves all points to the middle and scales them so that every coordinate is in -1..1: nothing that is computed from them
+/// overflows.
+void normalize_points(std::vector<Point3>& points) {
   Point3 low = points.front(), high = low;
   for (Point3 p : points) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
@@ -122,7 +128,6 @@ Result<std::vector<Point3>> corner_positions(Embedding const& positions, std::ve
     Vec3 const v = size > 0 ? (p - middle) / size : Vec3{};
     p = {v.x, v.y, v.z};
   }
-  return points;
 }
 
 /// A corner in pixels.
@@ -182,62 +187,98 @@ int byte(double component) {
   return component > 0 ? static_cast<int>(std::lround(255 * std::min(component, 1.0))) : 0;
 }
 
-}  // namespace
+/// What is drawn of a map.
+struct Scene {
+  Map const& map;
+  Polygons polygons;
+  Embedding const* positions;
+  Embedding const* colors;  ///< null if there are none
+};
 
-Result<std::string> surface_svg(Map const& map, int width) {
-  if (width < 1) return bad("a picture is at least one pixel wide");
-  auto const polygons = find_polygons(map);
+Result<Scene> scene_of(Map const& map) {
+  auto polygons = find_polygons(map);
   if (!polygons) return tl::make_unexpected(polygons.error());
   Embedding const* positions = find_embedding(map, 0, Type::Point3);
   if (positions == nullptr) positions = find_embedding(map, 0, Type::Point2);
   if (positions == nullptr) return bad("the map has no embedding of type Point3 or Point2 on vertices");
-  Embedding const* const colors = find_embedding(map, 2, Type::Color);
-  auto const points = corner_positions(*positions, polygons->corners);
-  if (!points) return tl::make_unexpected(points.error());
+  return Scene{map, std::move(*polygons), positions, find_embedding(map, 2, Type::Color)};
+}
 
-  View const view = view_of(positions->spec().type);
-  Picture const picture = project(*points, view, width);
-  std::size_t const count = polygons->ends.size();
-
+/// `points` and `corners` are those of the scene's corners.
+std::string draw(Scene const& scene, std::span<Point3 const> points, std::span<Pixel const> corners, View const& view, int width, int height) {
+  Polygons const& polygons = scene.polygons;
+  std::size_t const count = polygons.ends.size();
   struct Face {
     double depth;  // towards the eye
     std::size_t begin, end;
   };
   std::vector<Face> faces;
   faces.reserve(count);
-  for (std::size_t end : polygons->ends) {
+  for (std::size_t end : polygons.ends) {
     std::size_t const begin = faces.empty() ? 0 : faces.back().end;
     Vec3 sum;
-    for (std::size_t c = begin; c < end; ++c) sum = sum + ((*points)[c] - Point3{});
+    for (std::size_t c = begin; c < end; ++c) sum = sum + (points[c] - Point3{});
     faces.push_back({dot(sum, view.eye) / static_cast<double>(end - begin), begin, end});
   }
   // Stable: faces of one depth keep the order of the map.
   std::stable_sort(faces.begin(), faces.end(), [](Face const& a, Face const& b) { return a.depth < b.depth; });
 
   // An edge of a coarse surface is over a pixel wide; the edges of a fine one stay thin beside its faces.
-  double const face_size = std::sqrt(2.0 * picture.width * picture.height / static_cast<double>(count));
+  double const face_size = std::sqrt(2.0 * width * height / static_cast<double>(count));
   double const stroke = std::clamp(0.03 * face_size, 0.1, 1.4);
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n"
       "<title>{2}({3}), {4} {5}</title>\n"
       "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n"
       "<g stroke=\"#1f2a38\" stroke-opacity=\"0.6\" stroke-width=\"{6:.2f}\" stroke-linejoin=\"round\">\n",
-      picture.width, picture.height, escape(map.model().name), map.model().dimension, count,
-      count == 1 ? "face" : "faces", stroke);
+      width, height, escape(scene.map.model().name), scene.map.model().dimension, count, count == 1 ? "face" : "faces", stroke);
   for (Face const& face : faces) {
-    Handle const color = colors != nullptr ? colors->handle(polygons->corners[face.begin]) : no_handle;
-    Color const base = color != no_handle ? colors->values<Color>()[color] : neutral;
-    Vec3 const area = area_vector(std::span(*points).subspan(face.begin, face.end - face.begin));
+    Handle const color = scene.colors != nullptr ? scene.colors->handle(polygons.corners[face.begin]) : no_handle;
+    Color const base = color != no_handle ? scene.colors->values<Color>()[color] : neutral;
+    Vec3 const area = area_vector(points.subspan(face.begin, face.end - face.begin));
     Color const fill = shade(base, area, view);
     svg += "<polygon points=\"";
     for (std::size_t c = face.begin; c < face.end; ++c) {
-      fmt::format_to(std::back_inserter(svg), "{}{:.2f},{:.2f}", c == face.begin ? "" : " ", picture.corners[c].x,
-                     picture.corners[c].y);
+      fmt::format_to(std::back_inserter(svg), "{}{:.2f},{:.2f}", c == face.begin ? "" : " ", corners[c].x, corners[c].y);
     }
-    fmt::format_to(std::back_inserter(svg), "\" fill=\"#{:02x}{:02x}{:02x}\"/>\n", byte(fill.r), byte(fill.g),
-                   byte(fill.b));
+    fmt::format_to(std::back_inserter(svg), "\" fill=\"#{:02x}{:02x}{:02x}\"/>\n", byte(fill.r), byte(fill.g), byte(fill.b));
   }
   return svg + "</g>\n</svg>\n";
+}
+
+}  // namespace
+
+Result<std::vector<std::string>> surface_svgs(std::vector<Map const*> const& maps, int width) {
+  if (width < 1) return bad("a picture is at least one pixel wide");
+  std::vector<Scene> scenes;
+  std::vector<Point3> points;  // of all scenes, one after another
+  std::vector<std::size_t> begins;
+  for (Map const* const map : maps) {
+    auto scene = scene_of(*map);
+    if (!scene) return tl::make_unexpected(scene.error());
+    auto const more = corner_positions(*scene->positions, scene->polygons.corners);
+    if (!more) return tl::make_unexpected(more.error());
+    begins.push_back(points.size());
+    points.insert(points.end(), more->begin(), more->end());
+    scenes.push_back(std::move(*scene));
+  }
+  if (scenes.empty()) return std::vector<std::string>{};
+  normalize_points(points);
+  View const view = view_of(scenes.front().positions->spec().type);
+  Picture const picture = project(points, view, width);
+  std::vector<std::string> svgs;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    std::size_t const count = scenes[i].polygons.corners.size();
+    svgs.push_back(draw(scenes[i], std::span(points).subspan(begins[i], count), std::span(picture.corners).subspan(begins[i], count), view,
+                        picture.width, picture.height));
+  }
+  return svgs;
+}
+
+Result<std::string> surface_svg(Map const& map, int width) {
+  auto svgs = surface_svgs({&map}, width);
+  if (!svgs) return tl::make_unexpected(svgs.error());
+  return std::move(svgs->front());
 }
 
 }  // namespace jrule::draw

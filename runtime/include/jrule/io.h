@@ -1,6 +1,7 @@
 // Reading and writing maps. The format is chosen by the suffix: .obj .off .ply .stl (surfaces) and .jmap (any map).
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,11 @@ namespace jrule {
 ///
 /// A default that is computed by C++ is computed once; what it throws is passed on.
 Result<Map> read_map(std::string const& path, Model const& model, std::vector<EmbeddingSpec> const& embeddings);
+
+/// The map of polygons, each given by its corners as indices into `points`: what read_map() makes of a file with these faces, with the
+/// same numbers of darts. Errors count the faces from 1 as lines of "polygons".
+Result<Map> map_of_polygons(std::vector<Point3> const& points, std::vector<std::vector<std::uint32_t>> const& faces, Model const& model,
+                            std::vector<EmbeddingSpec> const& embeddings);
 
 /// Reads a .jmap with the model and the embeddings that it names itself. Its orbit types follow each embedding's type.
 Result<Map> read_jmap(std::string const& path);

@@ -88,6 +88,22 @@ Result<Map> read_map(std::string const& path, Model const& model, std::vector<Em
   });
 }
 
+Result<Map> map_of_polygons(std::vector<Point3> const& points, std::vector<std::vector<std::uint32_t>> const& faces, Model const& model,
+                            std::vector<EmbeddingSpec> const& embeddings) {
+  std::string const name = "polygons";
+  return guarded(name, [&]() -> Result<Map> {
+    io::Surface surface;
+    surface.points = points;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      surface.corners.insert(surface.corners.end(), faces[f].begin(), faces[f].end());
+      surface.end_face(f + 1);
+    }
+    surface.end = faces.size() + 1;
+    surface.first_index = 0;
+    return io::to_map(surface, model, embeddings, name);
+  });
+}
+
 Result<Map> read_jmap(std::string const& path) {
   return guarded(path, [&]() -> Result<Map> {
     auto const text = read_file(path);
