@@ -135,6 +135,24 @@ TEST_F(Io, DartsOfOmap) {
   }
 }
 
+TEST_F(Io, PolygonsInMemoryAreReadAsThoseOfAFile) {
+  std::vector<Point3> const points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}};
+  std::string const off = "OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n4 0 1 2 3\n3 4 2 1\n";
+  for (Model const& model : {gmap(2), omap(2), dual_omap(2)}) {
+    auto const built = map_of_polygons(points, {{0, 1, 2, 3}, {4, 2, 1}}, model, positions(model));
+    auto const from_file = parse("two.off", off, model);
+    ASSERT_TRUE(built && from_file);
+    EXPECT_EQ(print_jmap(*built), print_jmap(*from_file)) << model.name;
+  }
+  auto const error = [&](std::vector<std::vector<std::uint32_t>> const& faces) {
+    auto const map = map_of_polygons(points, faces, gmap(2), positions(gmap(2)));
+    return map ? "" : to_string(map.error());
+  };
+  EXPECT_EQ(error({{0, 1, 2}, {0, 1}}).substr(0, 11), "polygons:2:");
+  EXPECT_EQ(error({{0, 1, 9}}).substr(0, 11), "polygons:1:");
+  EXPECT_EQ(error({}), "polygons:1: the file has no faces");
+}
+
 TEST_F(Io, DualOmapHasTheFacesOfTheFile) {
   Map const map = read_valid(data("cube.obj"), dual_omap(2));
   OrbitNumbers const faces = number_orbits(map, *cell_orbit(map.model(), 2));

@@ -1,57 +1,18 @@
 #include <gtest/gtest.h>
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "compiler/backend/draw/draw.h"
+#include "tests/unit/drawn_rule.h"
 
 namespace jrule::draw {
 namespace {
 
-enum class Side { left, right, both };
-
-/// A rule put together without the front end, so that a test shows every arc that it has.
-class RuleBuilder {
- public:
-  RuleBuilder(std::string name, Model model) {
-    auto modeler = std::make_shared<ir::Modeler>();
-    modeler->name = "Surface";
-    modeler->model = std::move(model);
-    rule_.modeler = std::move(modeler);
-    rule_.name = std::move(name);
-  }
-
-  RuleBuilder& node(std::string name, Side side, bool hook = false) {
-    ir::Node node;
-    node.name = std::move(name);
-    if (side != Side::right) node.left_span = source::Span{};
-    if (side != Side::left) node.right_span = source::Span{};
-    if (hook) {
-      node.hook = rule_.hooks.size();
-      rule_.hooks.push_back(static_cast<ir::NodeId>(rule_.nodes.size()));
-    }
-    rule_.nodes.push_back(std::move(node));
-    return *this;
-  }
-  RuleBuilder& arc(Side side, ir::NodeId source, int dimension, Word word, ir::NodeId target) {
-    ir::Arc const arc{source, dimension, std::move(word), target, {}};
-    if (side != Side::right) rule_.left.arcs.push_back(arc);
-    if (side != Side::left) rule_.right.arcs.push_back(arc);
-    return *this;
-  }
-  /// An arc whose word is its own conjugate, and its reverse.
-  RuleBuilder& line(Side side, ir::NodeId source, int dimension, ir::NodeId target) {
-    return arc(side, source, dimension, {}, target).arc(side, target, dimension, {}, source);
-  }
-  ir::RuleScheme const& rule() const { return rule_; }
-
- private:
-  ir::RuleScheme rule_;
-};
-
-constexpr Letter letter(int d, bool conjugate = false) { return {static_cast<std::uint8_t>(d), conjugate}; }
+using tests::letter;
+using tests::RuleBuilder;
+using tests::Side;
 
 /// The statements of the picture that contain `part`.
 std::vector<std::string> lines_with(std::string const& text, std::string const& part) {

@@ -318,6 +318,28 @@ TEST(SurfaceSvg, IsTheSameInEveryLocale) {
   EXPECT_EQ(usual.value(), other.value());
 }
 
+TEST(SurfaceSvg, SeveralMapsAreDrawnInOneFrame) {
+  Map const near = squares(1);
+  Map const both = squares(2);
+  auto const svgs = surface_svgs({&near, &both}, 300, false);
+  ASSERT_TRUE(svgs);
+  ASSERT_EQ(svgs->size(), 2U);
+  auto const first = polygons_of((*svgs)[0]), second = polygons_of((*svgs)[1]);
+  ASSERT_EQ(first.size(), 1U);
+  ASSERT_EQ(second.size(), 2U);
+  // What is at one place lies at one place: of the two, the nearer one is drawn last.
+  EXPECT_EQ(first[0].attributes, second[1].attributes);
+  EXPECT_EQ(surface_svgs({&both}, 300, false)->front(), *surface_svg(both, 300));
+  std::string const dotted = surface_svgs({&near}, 300, true)->front();
+  std::size_t dots = 0;
+  for (std::size_t at = dotted.find("<circle"); at != std::string::npos; at = dotted.find("<circle", at + 1)) ++dots;
+  EXPECT_EQ(dots, 4U);
+  EXPECT_FALSE(surface_svgs({&near, nullptr}, 0, false));
+  Map const empty(gmap(2), {on_vertices(gmap(2), Type::Point3)});
+  EXPECT_FALSE(surface_svgs({&near, &empty}, 300, false));
+  EXPECT_TRUE(surface_svgs({}, 300, false)->empty());
+}
+
 TEST(SurfaceSvg, TheNameOfAModelIsEscaped) {
   Model model = gmap(2);
   model.name = "a<b&c>";

@@ -54,20 +54,32 @@ std::string call_text(std::string const& name, std::vector<std::string> const& a
   return arguments.empty() ? name : fmt::format("{}({})", name, fmt::join(arguments, ", "));
 }
 
-/// Embeddings without a default get one: only shapes need it, rules see values.
-std::vector<EmbeddingSpec> with_defaults(std::vector<EmbeddingSpec> embeddings) {
+/// The shape as a map of the modeler. An embedding that has no default, which a shape would need, gets a sample.
+Result<Map> make_map(Shape const& shape, ir::Modeler const& modeler) {
   Samples samples(false);
-  for (EmbeddingSpec& e : embeddings) {
-    if (!e.default_value && e.type != Type::Extern) e.default_value = samples.next(e.type);
+  std::vector<EmbeddingSpec> with_defaults = modeler.embeddings;
+  for (EmbeddingSpec& e : with_defaults) {
+    if (!e.default_value) e.default_value = samples.next(e.type);
   }
-  return embeddings;
+  auto const from = map_of_polygons(shape.points, shape.faces, modeler.model, with_defaults);
+  if (!from) return from;
+  Map map(modeler.model, modeler.embeddings);
+  map.add_darts(from->dart_count());
+  for (Dart const d : from->darts()) {
+    for (int const dimension : modeler.model.dimensions) map.set_target(d, dimension, from->target(d, dimension));
+  }
+  for (std::size_t e = 0; e < map.embedding_count(); ++e) {
+    for (Handle h = 0; h < from->embedding(e).value_count(); ++h) map.embedding(e).add(from->embedding(e).value(h));
+    for (Dart const d : from->darts()) map.embedding(e).set_handle(d, from->embedding(e).handle(d));
+  }
+  return map;
 }
 
 /// The pictures of `before`, if it is not empty, and `after`; nothing if there are none or they are alike.
 std::optional<Demonstration> pictured(Map const& before, Map const& after) {
   if (after.dart_count() == 0 || after.dart_count() > most_darts) return {};
   bool const creates = before.dart_count() == 0;
-  auto svgs = draw::surface_svgs(creates ? std::vector{&after} : std::vector{&before, &after}, picture_width);
+  auto svgs = draw::surface_svgs(creates ? std::vector{&after} : std::vector{&before, &after}, picture_width, true);
   if (!svgs || (!creates && (*svgs)[0] == (*svgs)[1])) return {};
   return Demonstration{"", "", creates ? "" : std::move(svgs->front()), std::move(svgs->back())};
 }
@@ -77,14 +89,17 @@ using Attempt = std::function<bool(Map& map, std::vector<Dart> const& darts)>;
 std::optional<Demonstration> try_shapes(ir::Modeler const& modeler, std::size_t darts, Attempt const& attempt) {
   if (darts > 2) return {};
   for (Shape const& shape : shapes()) {
+    if (shape.pair && darts != 2) continue;
     // What is around a surface is a face of an O-map, which would be drawn over it.
     if (shape.border && !modeler.model.has(0)) continue;
-    auto const map = map_of_polygons(shape.points, shape.faces, modeler.model, with_defaults(modeler.embeddings));
+    auto const map = make_map(shape, modeler);
     if (!map) continue;
-    std::vector<std::vector<Dart>> places = {{0}};
-    // The second one from the other end: those that are beside the first say less.
-    for (Dart second = map->dart_limit(); darts == 2 && second-- > 0;) places.push_back({0, second});
-    if (darts == 2) places.erase(places.begin());
+    std::vector<std::vector<Dart>> places;
+    if (darts == 1) places.push_back({0});
+    if (darts == 2) {
+      // From the other end: what is beside the first one says less.
+      for (Dart second = map->dart_limit(); second-- > 0 && (!shape.pair || places.empty());) places.push_back({0, second});
+    }
     for (std::vector<Dart> const& place : places) {
       Map changed = *map;
       if (!attempt(changed, place)) continue;
@@ -122,7 +137,8 @@ std::optional<Demonstration> demonstrate(ir::RuleScheme const& rule, analysis::P
     });
     OrbitType type;
     for (Letter const letter : rule.hook_type) type.words.push_back({letter});
-    std::string const orbit = rule.hook_type.empty() ? "dart" : analysis::orbit_name(rule.model(), type);
+    std::string orbit = analysis::orbit_name(rule.model(), type);
+    if (orbit.starts_with("orbit")) orbit = "dart";
     bool const whole = type.words.size() == rule.model().dimensions.size();
     if (found && rule.hooks.size() == 2) {
       found->place = fmt::format("at two darts of {}", found->place);

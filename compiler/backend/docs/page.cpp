@@ -45,7 +45,7 @@ char const* kind_name(Kind kind) {
     case Kind::model: return "model";
     case Kind::modeler: return "modeler";
     case Kind::rule: return "rule";
-    case Kind::family: return "family of rules";
+    case Kind::family: return "family";
     case Kind::operation: return "operation";
     case Kind::extern_type: return "type of C++";
     case Kind::extern_function: return "function of C++";
@@ -59,11 +59,14 @@ std::string code(std::string const& text) { return text.empty() ? "" : fmt::form
 std::string table(std::vector<std::string> const& heads, std::vector<std::vector<std::string>> const& rows) {
   if (rows.empty()) return "";
   auto const used = [&](std::size_t c) { return std::any_of(rows.begin(), rows.end(), [&](auto const& row) { return !row[c].empty(); }); };
-  std::string html = "<table>\n<tr>";
-  for (std::size_t c = 0; c < heads.size(); ++c) {
-    if (used(c)) html += fmt::format("<th>{}</th>", heads[c]);
+  std::string html = "<table>\n";
+  if (std::any_of(heads.begin(), heads.end(), [](std::string const& head) { return !head.empty(); })) {
+    html += "<tr>";
+    for (std::size_t c = 0; c < heads.size(); ++c) {
+      if (used(c)) html += fmt::format("<th>{}</th>", heads[c]);
+    }
+    html += "</tr>\n";
   }
-  html += "</tr>\n";
   for (auto const& row : rows) {
     html += "<tr>";
     for (std::size_t c = 0; c < heads.size(); ++c) {
@@ -74,9 +77,8 @@ std::string table(std::vector<std::string> const& heads, std::vector<std::vector
   return html + "</table>\n";
 }
 
-/// An SVG as part of a page; its name space is a file's matter, and does no harm here.
 std::string figure(std::string const& pictures, std::string const& caption) {
-  return fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n", pictures, caption);
+  return fmt::format("<figure>\n{}{}</figure>\n", pictures, caption.empty() ? "" : fmt::format("<figcaption>{}</figcaption>\n", caption));
 }
 
 class PageWriter {
@@ -122,7 +124,7 @@ class PageWriter {
            "node stands for one copy of the pattern, which is found from the hook, the node with a double ring. Under its name a node says what "
            "becomes of the pattern's arcs in its copy, position by position of the hook's type: a dimension, or <code>_</code> if they go. Red nodes "
            "are deleted, green ones are added. 0-arcs are black, 1-arcs red and dashed, 2-arcs blue and double, 3-arcs green and dotted; "
-           "<code>1[2,~1]</code> is a 1-arc that carries the word 2, then 1 backwards, read in the direction of the tip or from the small ring. "
+           "<code>1[2,~1]</code> is a 1-arc that carries the word 2, then 1 backwards, read in the direction of the tip or from the small ring."
            "</p>\n</details>\n";
   }
 
@@ -180,7 +182,8 @@ class PageWriter {
   /// What the analysis says, as `jrule explain` tells it.
   std::string proved(Section const& s) const {
     analysis::EffectsWording const wording = analysis::describe(*s.rule, analysis::analyze_effects(*s.rule, s.plan));
-    std::string html = fmt::format("<p>Proved: {}{}.</p>\n", inline_prose(wording.where, {}),
+    std::string html = fmt::format("<p><strong>Proved{}:</strong> {}{}.</p>\n",
+                                   s.kind == Kind::family ? " of " + code(s.rule->name) : "", inline_prose(wording.where, {}),
                                    analysis::analyze_independence(*s.rule, s.plan).independent() ? "; may be applied everywhere at once" : "");
     std::vector<std::vector<std::string>> rows;
     for (analysis::EffectLine const& line : wording.lines) {

@@ -36,13 +36,28 @@ Shape two_squares() {
   return {"two squares",
           {{-near, 0, h}, {-near, 0, -h}, {-far, 0, -h}, {-far, 0, h}, {near, 0, h}, {far, 0, h}, {far, 0, -h}, {near, 0, -h}},
           {{0, 1, 2, 3}, {4, 5, 6, 7}},
+          true,
           true};
+}
+
+Shape two_cubes() {
+  double constexpr h = 0.5, near = 0.2, far = 1.2;
+  Shape shape{"two cubes", {}, {}, false, true};
+  for (double const side : {-1.0, 1.0}) {
+    for (double const x : {side * near, side * far}) {
+      for (Point3 const corner : {Point3{x, h, h}, {x, -h, h}, {x, -h, -h}, {x, h, -h}}) shape.points.push_back(corner);
+    }
+  }
+  // Of the left one from its right face on, of the right one up to its left face.
+  shape.faces = {{0, 1, 2, 3},     {7, 6, 5, 4},     {0, 4, 5, 1},   {1, 5, 6, 2},   {2, 6, 7, 3},   {3, 7, 4, 0},
+                 {12, 13, 14, 15}, {9, 13, 12, 8},   {10, 14, 13, 9}, {11, 15, 14, 10}, {8, 12, 15, 11}, {8, 11, 10, 9}};
+  return shape;
 }
 
 }  // namespace
 
 std::vector<Shape> const& shapes() {
-  static std::vector<Shape> const all = {cube(), octahedron(), grid(), square(), two_squares()};
+  static std::vector<Shape> const all = {two_cubes(), cube(), octahedron(), grid(), two_squares(), square()};
   return all;
 }
 

@@ -14,6 +14,7 @@ struct Shape {
   std::vector<Point3> points;
   std::vector<std::vector<std::uint32_t>> faces;  ///< the first one is seen from above, and so are its first corner and edge
   bool border = false;
+  bool pair = false;  ///< of two parts, whose first and last darts face each other: for what joins the two
 };
 
 /// From the first one on a rule is tried: what most rules are about, then what is left for others.

@@ -28,8 +28,9 @@ std::string rule_svg(ir::RuleScheme const& rule);
 Result<std::string> surface_svg(Map const& map, int width = 800);
 
 /// The same of several maps in one frame, so that pictures of a surface before and after can be compared: they are of one size, seen from
-/// where the first one is, and what is at one place lies at one place. An error if one of them has no picture.
-Result<std::vector<std::string>> surface_svgs(std::vector<Map const*> const& maps, int width);
+/// where the first one is, and what is at one place lies at one place. Vertices are dotted if asked for, so that one on a straight edge is seen. An error if one
+/// of them has no picture.
+Result<std::vector<std::string>> surface_svgs(std::vector<Map const*> const& maps, int width, bool with_vertices);
 
 /// The map before and the graph after, side by side: darts as numbered dots, the hooks ringed, arcs coloured and labelled by
 /// dimension, an arrow on those without a reverse, what breaks the model highlighted: a standalone SVG.

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
-#include <numeric>
+#include <limits>
+#include <utility>
 
 namespace jrule::draw {
 
@@ -29,6 +30,9 @@ bool passes(Cell a, Cell b, Cell c) {
 }
 
 bool cross_each_other(Cell a, Cell b, Cell c, Cell d) {
+  auto const beside = [](int p, int q, int r, int s) { return std::max(p, q) <= std::min(r, s) || std::max(r, s) <= std::min(p, q); };
+  if (a.column != b.column && c.column != d.column && beside(a.column, b.column, c.column, d.column)) return false;
+  if (a.row != b.row && c.row != d.row && beside(a.row, b.row, c.row, d.row)) return false;
   auto const apart = [](Cell p, Cell q, Cell r, Cell s) {
     long const one = cross(between(p, q), between(p, r)), other = cross(between(p, q), between(p, s));
     return (one > 0 && other < 0) || (one < 0 && other > 0);
@@ -36,7 +40,7 @@ bool cross_each_other(Cell a, Cell b, Cell c, Cell d) {
   return apart(a, b, c, d) && apart(c, d, a, b);
 }
 
-/// A sequence of numbers that is the same everywhere, for moves to try (Steele's and Vigna's splitmix64 has better ones).
+/// Numbers for moves to try, the same everywhere: a linear congruential sequence (Knuth's MMIX).
 class Sequence {
  public:
   std::size_t below(std::size_t limit) {
@@ -71,7 +75,7 @@ class Search {
         long const allowed = 60 * static_cast<long>(steps - step) / static_cast<long>(steps);
         std::vector<Cell> const before = at;
         if (!move(at)) continue;
-        long const then = cost(at);
+        long const then = cost(at, now + allowed);
         if (then > now + allowed) {
           at = before;
           continue;
@@ -137,22 +141,29 @@ class Search {
     return true;
   }
 
-  long cost(std::vector<Cell> const& at) const {
+  /// Of what is uglier than `limit`, some number above that: no part is below zero, so the rest is not looked at.
+  long cost(std::vector<Cell> const& at, long limit = std::numeric_limits<long>::max()) const {
+    long sum = size_cost(at) + loop_cost(at);
+    for (GridLink const& link : links_) sum += length_cost(at[link.from], at[link.to]);
+    for (std::size_t i = 0; i < links_.size() && sum <= limit; ++i) sum += link_cost(at, i);
+    return sum;
+  }
+
+  /// What the link passes, and which links after it it crosses.
+  long link_cost(std::vector<Cell> const& at, std::size_t i) const {
+    GridLink const& link = links_[i];
+    Cell const a = at[link.from], b = at[link.to];
     long sum = 0;
-    for (std::size_t i = 0; i < links_.size(); ++i) {
-      GridLink const& link = links_[i];
-      Cell const a = at[link.from], b = at[link.to];
-      sum += length_cost(a, b);
-      for (std::size_t node = 0; node < nodes_.size(); ++node) {
-        if (node == link.from || node == link.to || (nodes_[node].sides & link.sides) == 0) continue;
-        if (passes(a, b, at[node])) sum += through_node;
-      }
-      for (std::size_t j = i + 1; j < links_.size(); ++j) {
-        GridLink const& other = links_[j];
-        if ((link.sides & other.sides) != 0 && cross_each_other(a, b, at[other.from], at[other.to])) sum += crossing;
-      }
+    bool const to_neighbour = std::abs(b.column - a.column) <= 1 && std::abs(b.row - a.row) <= 1;  // nothing is in between
+    for (std::size_t node = 0; node < nodes_.size() && !to_neighbour; ++node) {
+      if (node == link.from || node == link.to || (nodes_[node].sides & link.sides) == 0) continue;
+      if (passes(a, b, at[node])) sum += through_node;
     }
-    return sum + size_cost(at) + loop_cost(at);
+    for (std::size_t j = i + 1; j < links_.size(); ++j) {
+      GridLink const& other = links_[j];
+      if ((link.sides & other.sides) != 0 && cross_each_other(a, b, at[other.from], at[other.to])) sum += crossing;
+    }
+    return sum;
   }
 
   /// A loop beside a node that it has nothing to do with is read as an arc to that.

@@ -205,7 +205,8 @@ Result<Scene> scene_of(Map const& map) {
 }
 
 /// `points` and `corners` are those of the scene's corners.
-std::string draw(Scene const& scene, std::span<Point3 const> points, std::span<Pixel const> corners, View const& view, int width, int height) {
+std::string draw(Scene const& scene, std::span<Point3 const> points, std::span<Pixel const> corners, View const& view, int width, int height,
+                 bool with_vertices) {
   Polygons const& polygons = scene.polygons;
   std::size_t const count = polygons.ends.size();
   struct Face {
@@ -242,13 +243,16 @@ std::string draw(Scene const& scene, std::span<Point3 const> points, std::span<P
       fmt::format_to(std::back_inserter(svg), "{}{:.2f},{:.2f}", c == face.begin ? "" : " ", corners[c].x, corners[c].y);
     }
     fmt::format_to(std::back_inserter(svg), "\" fill=\"#{:02x}{:02x}{:02x}\"/>\n", byte(fill.r), byte(fill.g), byte(fill.b));
+    for (std::size_t c = face.begin; with_vertices && c < face.end; ++c) {
+      fmt::format_to(std::back_inserter(svg), "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"1.6\" fill=\"#1f2a38\"/>\n", corners[c].x, corners[c].y);
+    }
   }
   return svg + "</g>\n</svg>\n";
 }
 
 }  // namespace
 
-Result<std::vector<std::string>> surface_svgs(std::vector<Map const*> const& maps, int width) {
+Result<std::vector<std::string>> surface_svgs(std::vector<Map const*> const& maps, int width, bool with_vertices) {
   if (width < 1) return bad("a picture is at least one pixel wide");
   std::vector<Scene> scenes;
   std::vector<Point3> points;  // of all scenes, one after another
@@ -270,13 +274,13 @@ Result<std::vector<std::string>> surface_svgs(std::vector<Map const*> const& map
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     std::size_t const count = scenes[i].polygons.corners.size();
     svgs.push_back(draw(scenes[i], std::span(points).subspan(begins[i], count), std::span(picture.corners).subspan(begins[i], count), view,
-                        picture.width, picture.height));
+                        picture.width, picture.height, with_vertices));
   }
   return svgs;
 }
 
 Result<std::string> surface_svg(Map const& map, int width) {
-  auto svgs = surface_svgs({&map}, width);
+  auto svgs = surface_svgs({&map}, width, false);
   if (!svgs) return tl::make_unexpected(svgs.error());
   return std::move(svgs->front());
 }
