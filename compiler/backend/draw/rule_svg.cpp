@@ -295,7 +295,7 @@ std::vector<NodeBox> place(ir::RuleScheme const& rule, DecoratedSide const& left
     boxes.push_back({{}, std::max({half_height, name / 2 + 10, text / 2 + 10}), half_height, rule.nodes[id].hook.has_value()});
     widest = std::max(widest, boxes.back().half_width);
   }
-  double const across = 2 * widest + std::max(46.0, small_letter * static_cast<double>(std::min<std::size_t>(longest, 12)) + 30);
+  double const across = 2 * widest + std::max(46.0, small_letter * static_cast<double>(std::min<std::size_t>(longest, 12)) + 42);
   double const down = decorated ? 92 : 82;
   for (ir::NodeId id = 0; id < boxes.size(); ++id) boxes[id].middle = {across * cells[id].column, down * cells[id].row};
   return boxes;
