@@ -23,8 +23,8 @@ std::size_t whole_pages(std::size_t bytes) { return (bytes + page - 1) / page * 
 
 void* allocate(std::size_t bytes, std::size_t alignment) {
   if (!is_large(bytes)) return ::operator new(bytes, std::align_val_t(alignment));
-  void* const memory = std::aligned_alloc(page, bytes);
-  if (memory == nullptr) throw std::bad_alloc();
+  void* memory = nullptr;  // not by std::aligned_alloc, which takes whole pages only
+  if (posix_memalign(&memory, page, bytes) != 0) throw std::bad_alloc();
   // A wish: without it the memory is as good. What lies behind in the last page may be given to others, who do not mind.
   (void)madvise(memory, whole_pages(bytes), MADV_HUGEPAGE);
   return memory;

@@ -9,6 +9,13 @@
 #include <cstdlib>
 #include <new>
 
+// The linker's names: __wrap_f is called where f was, __real_f is f.
+extern "C" {
+int __real_posix_memalign(void** memory, std::size_t alignment, std::size_t size);
+void* __real_calloc(std::size_t count, std::size_t size);
+void* __real_mmap(void* address, std::size_t size, int protection, int flags, int file, off_t offset);
+}
+
 namespace jrule::test {
 
 namespace {
@@ -32,9 +39,9 @@ void* take(std::size_t size) {
 
 void* take(std::size_t size, std::align_val_t alignment) {
   if (fails()) throw std::bad_alloc();
-  // Not aligned_alloc, which would be counted again; it takes no alignment below a pointer's.
+  // It takes no alignment below a pointer's.
   void* memory = nullptr;
-  if (posix_memalign(&memory, std::max(static_cast<std::size_t>(alignment), sizeof(void*)), size == 0 ? 1 : size) != 0) throw std::bad_alloc();
+  if (__real_posix_memalign(&memory, std::max(static_cast<std::size_t>(alignment), sizeof(void*)), size == 0 ? 1 : size) != 0) throw std::bad_alloc();
   return memory;
 }
 
@@ -67,14 +74,9 @@ void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
 
-// The linker's names: __wrap_f is called where f was, __real_f is f.
 extern "C" {
-void* __real_aligned_alloc(std::size_t alignment, std::size_t size);
-void* __real_calloc(std::size_t count, std::size_t size);
-void* __real_mmap(void* address, std::size_t size, int protection, int flags, int file, off_t offset);
-
-void* __wrap_aligned_alloc(std::size_t alignment, std::size_t size) {
-  return jrule::test::fails() ? nullptr : __real_aligned_alloc(alignment, size);
+int __wrap_posix_memalign(void** memory, std::size_t alignment, std::size_t size) {
+  return jrule::test::fails() ? ENOMEM : __real_posix_memalign(memory, alignment, size);
 }
 void* __wrap_calloc(std::size_t count, std::size_t size) { return jrule::test::fails() ? nullptr : __real_calloc(count, size); }
 void* __wrap_mmap(void* address, std::size_t size, int protection, int flags, int file, off_t offset) {
