@@ -34,7 +34,7 @@ std::string sum_text(OrbitCount const& count) {
 }
 
 std::string count_text(std::optional<int> cell, OrbitCount const& count, OrbitCounter const& counter) {
-  constexpr auto condition = "where there is no border";
+  constexpr auto condition = "without a border or a folded edge";
   std::string text = fmt::format("{}' = {}", ir::count_name(cell), sum_text(count));
   if (count.regular_only) return fmt::format("{}   {}", text, condition);
   // Cells are what a surface is known by, not darts.

@@ -14,7 +14,8 @@ namespace jrule::analysis {
 struct OrbitCount {
   ir::Count count{};
   /// It holds only for a regular component: a path that returns to its dart when it is followed often enough in every map, such as
-  /// 2 or 0·2 of a 2-G-map, never returns at once. So there is no border, and an edge of a surface has four darts, of an O-map two.
+  /// 2 or 0·2 of a 2-G-map, never returns at once. So there is no border, and no edge is folded: an edge of a
+  /// surface has four darts, of an O-map two.
   bool regular_only = false;
   /// Besides, so many as there are orbits of these types, which no cells or darts say.
   std::vector<OrbitType> others{};

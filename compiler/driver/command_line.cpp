@@ -2,6 +2,7 @@
 #include "compiler/driver/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <map>
 
@@ -23,6 +24,22 @@ void add_common(CLI::App& app, Common& common) {
       ->check(CLI::IsMember({"error"}))
       ->type_name("error");
   app.add_option("--color", common.color, "colour of messages")->transform(CLI::Transformer(colors))->type_name("auto|always|never");
+}
+
+void add_stats(CLI::App& app, bool& json, std::string const& description) {
+  app.add_option_function<std::string>("--stats", [&json](std::string const&) { json = true; }, description)
+      ->check(CLI::IsMember({"json"}))
+      ->type_name("json");
+}
+
+// What `in`, `at` and the values are for, in words: the rest is the same for all.
+void add_change(CLI::App& app, ChangeOptions& change, char const* in, char const* at, char const* values) {
+  app.add_option("--in", change.in, fmt::format("mesh: .obj .off .ply .stl .jmap; {}", in))->type_name("MESH");
+  app.add_option("--out", change.out, "mesh to write")->type_name("MESH")->required();
+  app.add_option("--at", change.at, at)->type_name("SEL");
+  app.add_option("--picture", change.picture, "draw the result")->type_name("SVG");
+  add_stats(app, change.stats_json, "print counts of the result as json");
+  app.add_option("NAME=VALUE", change.values, values);
 }
 
 }  // namespace
@@ -57,52 +74,34 @@ int run(int argc, char const* const* argv) {
   emit_command.callback([&] { status = emit(emit_options); });
 
   ApplyOptions apply_options;
-  std::string apply_stats;
   CLI::App& apply_command = *app.add_subcommand("apply", "apply a rule to a mesh");
   add_common(apply_command, apply_options.common);
   apply_command.add_option("RULE", apply_options.rule, "FILE:RULE, e.g. surface.jrule:cone; of a plugin, RULE or MODULE:RULE")->required();
   apply_command.add_option("--plugin", apply_options.plugin, "take the rule from a plugin, made by jrule_add_plugin")->type_name("LIB");
-  apply_command.add_option("--in", apply_options.in, "mesh: .obj .off .ply .stl .jmap; not for rules that create")->type_name("MESH");
-  apply_command.add_option("--out", apply_options.out, "mesh to write")->type_name("MESH")->required();
-  apply_command.add_option("--at", apply_options.at, "all, dart:N, vertex:N, edge:N, face:N, volume:N; one for each hook: dart:3,dart:17")->type_name("SEL");
+  add_change(apply_command, apply_options, "not for rules that create",
+             "all, dart:N, vertex:N, edge:N, face:N, volume:N; one for each hook: dart:3,dart:17", "parameters of the rule, e.g. apex=0,0,1");
   apply_command.add_option("--threads", apply_options.threads, "take so many threads at most, for rules applied at all orbits at once; default: all")
       ->check(CLI::Range(1U, 1024U));
-  apply_command.add_option("--picture", apply_options.picture, "draw the result")->type_name("SVG");
-  apply_command.add_option("--stats", apply_stats, "print counts of the result as json")->check(CLI::IsMember({"json"}))->type_name("json");
-  apply_command.add_option("NAME=VALUE", apply_options.values, "parameters of the rule, e.g. apex=0,0,1");
   apply_command.callback([&] {
-    apply_options.stats_json = !apply_stats.empty();
     status = apply_options.plugin.empty() ? apply(apply_options) : apply_plugin(apply_options);
   });
 
   RunOptions run_options;
-  std::string run_stats;
   CLI::App& run_command = *app.add_subcommand("run", "run an operation");
   add_common(run_command, run_options.common);
   run_command.add_option("OPERATION", run_options.operation, "FILE:OPERATION, e.g. solid.jrule:house")->required();
-  run_command.add_option("--in", run_options.in, "mesh: .obj .off .ply .stl .jmap; without it, an empty map")->type_name("MESH");
-  run_command.add_option("--out", run_options.out, "mesh to write")->type_name("MESH")->required();
-  run_command.add_option("--at", run_options.at, "a dart for each parameter that is one: dart:N, vertex:N, edge:N, face:N, volume:N; dart:3,dart:17")->type_name("SEL");
-  run_command.add_option("--picture", run_options.picture, "draw the result")->type_name("SVG");
-  run_command.add_option("--stats", run_stats, "print counts of the result as json")->check(CLI::IsMember({"json"}))->type_name("json");
-  run_command.add_option("NAME=VALUE", run_options.values, "the other parameters, e.g. side=2");
-  run_command.callback([&] {
-    run_options.stats_json = !run_stats.empty();
-    status = run(run_options);
-  });
+  add_change(run_command, run_options, "without it, an empty map",
+             "a dart for each parameter that is one: dart:N, vertex:N, edge:N, face:N, volume:N; dart:3,dart:17", "the other parameters, e.g. side=2");
+  run_command.callback([&] { status = run(run_options); });
 
   InfoOptions info_options;
-  std::string info_stats;
   CLI::App& info_command = *app.add_subcommand("info", "count the cells of a mesh and check it; or list what a plugin offers");
   info_command.add_option("MESH", info_options.mesh, "mesh: .obj .off .ply .stl .jmap; plugin: .so .dylib")->required();
   info_command.add_option("--model", info_options.model, "how a surface is read")
       ->check(CLI::IsMember({"gmap", "omap", "dual_omap", "closed_gmap"}))
       ->type_name("MODEL");
-  info_command.add_option("--stats", info_stats, "print as json")->check(CLI::IsMember({"json"}))->type_name("json");
-  info_command.callback([&] {
-    info_options.stats_json = !info_stats.empty();
-    status = is_plugin_path(info_options.mesh) ? info_plugin(info_options) : info(info_options);
-  });
+  add_stats(info_command, info_options.stats_json, "print as json");
+  info_command.callback([&] { status = is_plugin_path(info_options.mesh) ? info_plugin(info_options) : info(info_options); });
 
   FormatOptions format_options;
   CLI::App& format_command = *app.add_subcommand("fmt", "bring sources into the canonical layout");

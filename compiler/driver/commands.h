@@ -53,29 +53,28 @@ struct DocsOptions {
 };
 int docs(DocsOptions const& options);
 
-struct ApplyOptions {
-  Common common;
-  std::string rule;  ///< FILE:RULE; RULE or MODULE:RULE of a plugin
-  std::string plugin;  ///< empty: none
+/// What every command that changes a mesh takes.
+struct ChangeOptions {
   std::string in, out;
-  std::string at;       ///< empty: `all`
-  std::string picture;  ///< an SVG of the result; empty: none
+  std::string at;                   ///< places on the mesh
+  std::string picture;              ///< an SVG of the result; empty: none
   std::vector<std::string> values;  ///< NAME=VALUE
   bool stats_json = false;
+};
+
+struct ApplyOptions : ChangeOptions {
+  Common common;
+  std::string rule;      ///< FILE:RULE; RULE or MODULE:RULE of a plugin
+  std::string plugin;    ///< empty: none
   unsigned threads = 0;  ///< at most so many; 0: as many as the machine runs at once
 };
 int apply(ApplyOptions const& options);
 /// Of a rule of a plugin.
 int apply_plugin(ApplyOptions const& options);
 
-struct RunOptions {
+struct RunOptions : ChangeOptions {
   Common common;
   std::string operation;  ///< FILE:OPERATION
-  std::string in, out;
-  std::string at;       ///< a dart for each parameter that is one
-  std::string picture;  ///< an SVG of the result; empty: none
-  std::vector<std::string> values;  ///< NAME=VALUE
-  bool stats_json = false;
 };
 int run(RunOptions const& options);
 

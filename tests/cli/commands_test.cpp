@@ -319,8 +319,8 @@ rule fan on gmap(2) {
             kept          `a`                  one for each edge
   faces     may be split  `a`                  one for each face
   V' = V + F
-  E' = 3 * E   where there is no border
-  F' = 2 * E   where there is no border
+  E' = 3 * E   without a border or a folded edge
+  F' = 2 * E   without a border or a folded edge
   D' = 3 * D
 
 )");
