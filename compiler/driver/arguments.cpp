@@ -79,7 +79,8 @@ Result<std::vector<std::optional<Value>>> parse_arguments(std::string const& rul
     Type const type = parameters[at].type;
     values[at] = parse_value(type, std::string_view(argument).substr(equals + 1));
     if (!values[at]) {
-      return error(fmt::format("`{}` is not a {}: write `{}={}`", argument.substr(equals + 1), jrule::to_string(type), name, example(type)));
+      return error(fmt::format("`{}` is not {} {}: write `{}={}`", argument.substr(equals + 1), type == Type::Int ? "an" : "a",
+                               jrule::to_string(type), name, example(type)));
     }
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
