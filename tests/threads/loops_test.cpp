@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <new>
 #include <stdexcept>
 #include <vector>
@@ -36,6 +37,14 @@ TEST(Loop, GivesEachThreadAtLeastAGrain) {
   std::size_t pieces = 0;
   parallel::for_ranges(39, {2, 20}, [&](std::size_t, std::size_t) { ++pieces; });
   EXPECT_EQ(pieces, 1U);
+  parallel::for_streams(159, {2, 20}, [&](std::size_t, std::size_t) { ++pieces; });
+  EXPECT_EQ(pieces, 2U);
+  std::atomic<std::size_t> indices = 0;
+  parallel::for_streams(160, {2, 20}, [&](std::size_t begin, std::size_t end) {
+    EXPECT_EQ(end - begin, 80U);
+    indices += end - begin;
+  });
+  EXPECT_EQ(indices, 160U);
 }
 
 TEST(Loop, SeesWhatWasWrittenBeforeAndIsSeenAfter) {

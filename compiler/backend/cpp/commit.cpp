@@ -160,7 +160,7 @@ void write_streams(Writer& out, Function const& f, std::vector<Stream> const& st
   }
   for (auto next = streams.begin(); next != streams.end();) {
     auto const first = next;
-    out.open("jrule::parallel::for_ranges({}, {}, [&](std::size_t {}, std::size_t {}) {{", f.size, f.threads, f.local("begin"), f.local("end"));
+    out.open("jrule::parallel::for_streams({}, {}, [&](std::size_t {}, std::size_t {}) {{", f.size, f.threads, f.local("begin"), f.local("end"));
     do {
       write_stream(out, f, *next++);
     } while (next != streams.end() && std::all_of(first, next, [&](Stream const& before) { return go_together(before, *next); }));

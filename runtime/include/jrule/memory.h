@@ -66,7 +66,7 @@ void reserve(ColumnOf<T>& column, std::size_t capacity, Threads threads) {
   ColumnOf<T> grown;
   grown.reserve(capacity);
   grown.resize(column.size());
-  parallel::for_ranges(column.size(), threads, [&](std::size_t begin, std::size_t end) {
+  parallel::for_streams(column.size(), threads, [&](std::size_t begin, std::size_t end) {
     std::copy(column.data() + begin, column.data() + end, grown.data() + begin);
   });
   column.swap(grown);
