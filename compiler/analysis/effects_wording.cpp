@@ -46,9 +46,7 @@ std::string count_text(std::optional<int> cell, OrbitCount const& count, OrbitCo
 std::string where(ir::RuleScheme const& rule, Effects const& effects) {
   if (rule.hooks.empty()) return "creates";
   if (effects.whole) return "applied to whole components";
-  std::string type;
-  for (Letter const letter : rule.hook_type) type += fmt::format("{}{}", type.empty() ? "" : ",", letter.dimension);
-  return fmt::format("its pattern is the orbit <{}> of `{}`", type, rule.nodes[rule.hooks.front()].name);
+  return fmt::format("its pattern is the orbit {} of `{}`", to_string(rule.hook_orbit()), rule.nodes[rule.hooks.front()].name);
 }
 
 }  // namespace

@@ -51,4 +51,16 @@ class RuleBuilder {
 
 inline constexpr Letter letter(int d, bool conjugate = false) { return {static_cast<std::uint8_t>(d), conjugate}; }
 
+/// Splits every n-gon of a surface into n quads (paper, Fig. 29).
+inline RuleBuilder quad_subdivision() {
+  RuleBuilder builder("quad_subdivision", gmap(2));
+  builder.node("a", Side::both, true).node("b", Side::right).node("c", Side::right).node("d", Side::right);
+  builder.arc(Side::left, 0, 0, {letter(0)}, 0).arc(Side::both, 0, 1, {letter(1)}, 0);
+  builder.arc(Side::both, 0, 2, {letter(2)}, 0).arc(Side::right, 1, 2, {letter(2)}, 1);
+  builder.arc(Side::right, 2, 2, {letter(0)}, 2).arc(Side::right, 3, 2, {letter(0)}, 3);
+  builder.arc(Side::right, 3, 1, {letter(1)}, 3);
+  builder.line(Side::right, 0, 0, 1).line(Side::right, 1, 1, 2).line(Side::right, 2, 0, 3);
+  return builder;
+}
+
 }  // namespace jrule::tests

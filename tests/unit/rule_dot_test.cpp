@@ -30,13 +30,7 @@ std::vector<std::string> lines_with(std::string const& text, std::string const& 
 using Lines = std::vector<std::string>;
 
 TEST(RuleDot, QuadSubdivision) {
-  RuleBuilder builder("quad_subdivision", gmap(2));
-  builder.node("a", Side::both, true).node("b", Side::right).node("c", Side::right).node("d", Side::right);
-  builder.arc(Side::left, 0, 0, {letter(0)}, 0).arc(Side::both, 0, 1, {letter(1)}, 0);
-  builder.arc(Side::both, 0, 2, {letter(2)}, 0).arc(Side::right, 1, 2, {letter(2)}, 1);
-  builder.arc(Side::right, 2, 2, {letter(0)}, 2).arc(Side::right, 3, 2, {letter(0)}, 3);
-  builder.arc(Side::right, 3, 1, {letter(1)}, 3);
-  builder.line(Side::right, 0, 0, 1).line(Side::right, 1, 1, 2).line(Side::right, 2, 0, 3);
+  RuleBuilder const builder = tests::quad_subdivision();
   ASSERT_EQ(ir::verify(builder.rule()), std::nullopt);
   EXPECT_EQ(rule_dot(builder.rule()), R"(digraph "quad_subdivision" {
   graph [label="quad_subdivision on Surface", labelloc=t, fontname="Helvetica", nodesep=0.5, ranksep=0.6];

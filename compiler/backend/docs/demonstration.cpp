@@ -135,8 +135,7 @@ std::optional<Demonstration> demonstrate(ir::RuleScheme const& rule, analysis::P
     found = try_shapes(*rule.modeler, rule.hooks.size(), [&](Map& map, std::vector<Dart> const& hooks) {
       return interpreter::apply(rule, plan, map, hooks, values, workspace).has_value();
     });
-    OrbitType type;
-    for (Letter const letter : rule.hook_type) type.words.push_back({letter});
+    OrbitType const type = rule.hook_orbit();
     std::string orbit = analysis::orbit_name(rule.model(), type);
     if (orbit.starts_with("orbit")) orbit = "dart";
     bool const whole = type.words.size() == rule.model().dimensions.size();
