@@ -35,7 +35,7 @@ Applications all_applications(Map const& map, OrbitType const& type) {
 Applications applications_within(Map const& map, OrbitType const& type, OrbitType const& within, Dart d) {
   Applications found{orbit(map, within, d), {}, {}};
   std::sort(found.pattern.begin(), found.pattern.end());
-  found.number.assign(found.pattern.size(), no_orbit);
+  found.number.resize(found.pattern.size(), no_orbit);
   auto const index = [&](Dart at) { return std::lower_bound(found.pattern.begin(), found.pattern.end(), at) - found.pattern.begin(); };
   for (std::size_t k = 0; k < found.pattern.size(); ++k) {
     if (found.number[k] != no_orbit) continue;

@@ -121,7 +121,7 @@ void Embedding::truncate_values(std::size_t count) noexcept {
   if (extern_pool_) return extern_pool_->truncate(count);
   std::visit(
       [&](auto& pool) {
-        if (count < pool.size()) pool.erase(pool.begin() + static_cast<std::ptrdiff_t>(count), pool.end());
+        if (count < pool.size()) pool.resize(count);
       },
       pool_);
 }

@@ -50,8 +50,8 @@ std::size_t Map::reserve_darts(std::size_t count, Threads threads) {
   std::size_t capacity = columns_[0].targets.capacity();
   if (limit > capacity) capacity = std::max(limit, 2 * capacity);
   for (std::size_t k = 0; k < columns_.size(); ++k) {
-    jrule::reserve(columns_[k].targets, capacity, threads);
-    if (model_.is_oriented(model_.dimensions[k])) jrule::reserve(columns_[k].sources, capacity, threads);
+    columns_[k].targets.reserve(capacity, threads);
+    if (model_.is_oriented(model_.dimensions[k])) columns_[k].sources.reserve(capacity, threads);
   }
   for (Embedding& e : embeddings_) e.reserve(capacity, threads);
   return limit;

@@ -14,50 +14,82 @@ namespace jrule::memory {
 
 namespace {
 
-/// A large page. Below half of one, small pages are as good, and a large one would mostly lie idle.
-constexpr std::size_t page = std::size_t{2} << 20;
-bool is_large(std::size_t bytes) { return bytes >= page / 2; }
-std::size_t whole_pages(std::size_t bytes) { return (bytes + page - 1) / page * page; }
+/// Of each size that small pages have on Linux, a multiple.
+constexpr std::size_t small_pages = std::size_t{64} << 10;
+constexpr std::size_t large_page = std::size_t{2} << 20;
+/// Below half a large page small ones are as good, and a large one would mostly lie idle.
+constexpr std::size_t large_pages_from = large_page / 2;
+/// Below that memory is better taken from the heap: what was given back there is used again without a first touch.
+constexpr std::size_t own_pages_from = 8 * large_page;
+
+std::size_t whole(std::size_t bytes, std::size_t page) { return (bytes + page - 1) / page * page; }
+
+/// Address space that begins at a large page.
+void* map(std::size_t bytes, int protection) {
+  // A large page more than is needed, of which what lies before and behind is given back.
+  std::size_t const size = whole(bytes, small_pages);
+  if (size < bytes || size + large_page < size) throw std::bad_alloc();
+  void* const mapped = mmap(nullptr, size + large_page, protection, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (mapped == MAP_FAILED) throw std::bad_alloc();
+  auto* const begin = static_cast<std::byte*>(mapped);
+  std::size_t const before = (large_page - reinterpret_cast<std::uintptr_t>(begin) % large_page) % large_page;
+  if (before != 0) (void)munmap(begin, before);
+  (void)munmap(begin + before + size, large_page - before);
+  return begin + before;
+}
+
+/// Zeros in pages of their own.
+void* map_pages(std::size_t bytes) {
+  void* const memory = map(bytes, PROT_READ | PROT_WRITE);
+  // A wish, here and below: without it the memory is as good.
+  (void)madvise(memory, whole(bytes, small_pages), MADV_HUGEPAGE);
+  return memory;
+}
 
 }  // namespace
 
+bool has_own_pages(std::size_t bytes) noexcept { return bytes >= own_pages_from; }
+
 void* allocate(std::size_t bytes, std::size_t alignment) {
-  if (!is_large(bytes)) return ::operator new(bytes, std::align_val_t(alignment));
+  if (bytes < large_pages_from) return ::operator new(bytes, std::align_val_t(alignment));
+  if (has_own_pages(bytes)) return map_pages(bytes);
   void* memory = nullptr;  // not by std::aligned_alloc, which takes whole pages only
-  if (posix_memalign(&memory, page, bytes) != 0) throw std::bad_alloc();
-  // A wish: without it the memory is as good. What lies behind in the last page may be given to others, who do not mind.
-  (void)madvise(memory, whole_pages(bytes), MADV_HUGEPAGE);
+  if (posix_memalign(&memory, large_page, bytes) != 0) throw std::bad_alloc();
+  // What lies behind in the last page may be given to others, who do not mind.
+  (void)madvise(memory, whole(bytes, large_page), MADV_HUGEPAGE);
   return memory;
 }
 
 void deallocate(void* memory, std::size_t bytes, std::size_t alignment) noexcept {
-  if (!is_large(bytes)) return ::operator delete(memory, std::align_val_t(alignment));
-  std::free(memory);
+  if (bytes < large_pages_from) return ::operator delete(memory, std::align_val_t(alignment));
+  if (!has_own_pages(bytes)) return std::free(memory);
+  (void)munmap(memory, whole(bytes, small_pages));
+}
+
+void* grow(void* memory, std::size_t bytes, std::size_t more_bytes) {
+  // To a place that begins at a large page again: otherwise the large pages would be broken into small ones to be moved.
+  void* const place = map(more_bytes, PROT_NONE);
+  void* const moved = mremap(memory, whole(bytes, small_pages), whole(more_bytes, small_pages), MREMAP_MAYMOVE | MREMAP_FIXED, place);
+  // The place is not given back then: it may be free already, and somebody else's by now.
+  if (moved == MAP_FAILED) throw std::bad_alloc();
+  return moved;
 }
 
 void* allocate_zeros(std::size_t bytes) {
-  if (!is_large(bytes)) {
-    if (void* const memory = std::calloc(bytes, 1)) return memory;
-    throw std::bad_alloc();
-  }
-  // A page more than is needed, of which what lies outside whole large pages is given back.
-  std::size_t const size = whole_pages(bytes);
-  void* const mapped = mmap(nullptr, size + page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (mapped == MAP_FAILED) throw std::bad_alloc();
-  auto* const begin = static_cast<std::byte*>(mapped);
-  std::size_t const before = (page - reinterpret_cast<std::uintptr_t>(begin) % page) % page;
-  if (before != 0) (void)munmap(begin, before);
-  (void)munmap(begin + before + size, page - before);
-  (void)madvise(begin + before, size, MADV_HUGEPAGE);
-  return begin + before;
+  if (bytes >= large_pages_from) return map_pages(bytes);
+  if (void* const memory = std::calloc(bytes, 1)) return memory;
+  throw std::bad_alloc();
 }
 
 void deallocate_zeros(void* memory, std::size_t bytes) noexcept {
-  if (!is_large(bytes)) return std::free(memory);
-  (void)munmap(memory, whole_pages(bytes));
+  if (bytes < large_pages_from) return std::free(memory);
+  (void)munmap(memory, whole(bytes, small_pages));
 }
 
 #else
+
+bool has_own_pages(std::size_t) noexcept { return false; }
+void* grow(void*, std::size_t, std::size_t) { throw std::bad_alloc(); }
 
 void* allocate(std::size_t bytes, std::size_t alignment) { return ::operator new(bytes, std::align_val_t(alignment)); }
 void deallocate(void* memory, std::size_t, std::size_t alignment) noexcept { ::operator delete(memory, std::align_val_t(alignment)); }

@@ -95,7 +95,7 @@ std::vector<Dart> rewrite::representatives(Map const& map, OrbitType const& type
 
 OrbitNumbers number_orbits(Map const& map, OrbitType const& type) {
   OrbitNumbers orbits;
-  orbits.number.assign(map.dart_limit(), no_orbit);
+  orbits.number.resize(map.dart_limit(), no_orbit);
   std::vector<Dart> open;
   for (Dart start = 0; start < map.dart_limit(); ++start) {
     if (!map.contains(start) || orbits.number[start] != no_orbit) continue;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <cstdarg>
 #include <cstdint>
 #include <cstdlib>
 #include <new>
@@ -14,6 +15,7 @@ extern "C" {
 int __real_posix_memalign(void** memory, std::size_t alignment, std::size_t size);
 void* __real_calloc(std::size_t count, std::size_t size);
 void* __real_mmap(void* address, std::size_t size, int protection, int flags, int file, off_t offset);
+void* __real_mremap(void* address, std::size_t old_size, std::size_t size, int flags, ...);
 }
 
 namespace jrule::test {
@@ -81,6 +83,15 @@ int __wrap_posix_memalign(void** memory, std::size_t alignment, std::size_t size
 void* __wrap_calloc(std::size_t count, std::size_t size) { return jrule::test::fails() ? nullptr : __real_calloc(count, size); }
 void* __wrap_mmap(void* address, std::size_t size, int protection, int flags, int file, off_t offset) {
   if (!jrule::test::fails()) return __real_mmap(address, size, protection, flags, file, offset);
+  errno = ENOMEM;
+  return MAP_FAILED;
+}
+void* __wrap_mremap(void* address, std::size_t old_size, std::size_t size, int flags, ...) {
+  va_list further;
+  va_start(further, flags);
+  void* const place = (flags & MREMAP_FIXED) != 0 ? va_arg(further, void*) : nullptr;
+  va_end(further);
+  if (!jrule::test::fails()) return __real_mremap(address, old_size, size, flags, place);
   errno = ENOMEM;
   return MAP_FAILED;
 }

@@ -1,5 +1,5 @@
 // The allocations of a test program: counted, and made to fail. Its operators new are those of allocations.cpp; what the
-// runtime takes without them (posix_memalign, calloc, mmap) goes there by the linker's --wrap.
+// runtime takes without them (posix_memalign, calloc, mmap, mremap) goes there by the linker's --wrap.
 #pragma once
 
 #include <cstddef>

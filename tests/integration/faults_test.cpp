@@ -198,6 +198,30 @@ TEST(LargeFaults, MapsGrow) {
   EXPECT_GE(every_allocation_fails(start, grow, Fail::once), 11U);
 }
 
+// Those that are larger still have pages of their own, which move to where there is room for more.
+TEST(LargeFaults, PagesStayWhereTheyAre) {
+  constexpr std::size_t size = 9'000'011, more = 12'000'001;
+  ASSERT_TRUE(jrule::memory::has_own_pages(size * sizeof(std::uint32_t)));
+  jrule::ColumnOf<std::uint32_t> const start(size, 7U);
+  std::size_t failures = 0;
+  for (std::size_t k = 1;; ++k) {
+    jrule::ColumnOf<std::uint32_t> column = start;
+    std::uint32_t const* const before = column.data();
+    jrule::test::FailingAllocation failing(k, Fail::once);
+    try {
+      column.reserve(more);
+    } catch (std::bad_alloc const&) {
+    }
+    bool const failed = failing.stop();
+    EXPECT_EQ(column.data() == before, failed);
+    EXPECT_EQ(column.capacity(), failed ? size : more);
+    EXPECT_EQ(column, start);
+    if (!failed) break;
+    ++failures;
+  }
+  EXPECT_EQ(failures, 2U);  // no place, and no way there
+}
+
 // ---- Refusals ----
 
 // Their texts take memory too: then they say so.

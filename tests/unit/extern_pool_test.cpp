@@ -68,13 +68,13 @@ TEST(ExternEmbedding, KeepsCopiesAndDropsValues) {
   e.set_handle(2, 0);
   Embedding copy = e;
   copy.compact();
-  EXPECT_EQ(copy.values<std::string>(), (ColumnOf<std::string>{"a", "c"}));
+  EXPECT_EQ(copy.values<std::string>(), (std::vector<std::string>{"a", "c"}));
   EXPECT_EQ(copy.handle(0), 1U);
   EXPECT_EQ(copy.handle(1), no_handle);
   EXPECT_EQ(copy.handle(2), 0U);
   EXPECT_EQ(e.value_count(), 3U);
   e.truncate_values(1);
-  EXPECT_EQ(e.values<std::string>(), ColumnOf<std::string>{"a"});
+  EXPECT_EQ(e.values<std::string>(), std::vector<std::string>{"a"});
   e = copy;
   EXPECT_EQ(e.value_count(), 2U);
   e.reserve_values(100);

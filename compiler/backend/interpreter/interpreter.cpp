@@ -230,7 +230,7 @@ struct Application {
       for (Word const& g : component.generators) generators.push_back(column(g).data());
       Index const* const orbit =
           rewrite::first_of_orbits(rewrite::PatternOrbits(size(), generators, workspace), size(), workspace);
-      orbits.orbit.assign(orbit, orbit + size());
+      orbits.orbit = Column(orbit, orbit + size());
     }
     if (component.kind == Kind::fresh || component.kind == Kind::assign) {
       std::vector<Value>& values = new_values[component.embedding];

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "jrule/extern_pool.h"
-#include "jrule/memory.h"
+#include "jrule/column.h"
 #include "jrule/value.h"
 #include "jrule/word.h"
 
@@ -81,7 +81,7 @@ class Embedding {
   void resize(std::size_t darts) { handles_.resize(darts, no_handle); }
   /// The same, but leaves the new ones unset.
   void extend(std::size_t darts) { handles_.resize(darts); }
-  void reserve(std::size_t darts, Threads threads) { jrule::reserve(handles_, darts, threads); }
+  void reserve(std::size_t darts, Threads threads) { handles_.reserve(darts, threads); }
 
   std::size_t value_count() const noexcept;
   /// Adds a value of the embedding's type; strong guarantee; noexcept once reserved. Type::Extern has no jrule::Value: see
@@ -97,9 +97,9 @@ class Embedding {
   Value value(Handle h) const noexcept;
   /// The values themselves, T being Stored<the C++ type of `spec().type`>, of Type::Extern the type that its name says.
   template <class T>
-  ColumnOf<T> const& values() const { return values_of<T>(*this); }
+  PoolValues<T> const& values() const { return values_of<T>(*this); }
   template <class T>
-  ColumnOf<T>& values() { return values_of<T>(*this); }
+  PoolValues<T>& values() { return values_of<T>(*this); }
   /// Drops the values that no dart refers to and renumbers the rest, which keep their order. O(darts + values), in place
   /// but for a handle for each value in `scratch`: throws only std::bad_alloc for that, and then nothing has changed.
   void compact(std::vector<Handle>& scratch, Threads threads = {});
@@ -118,13 +118,13 @@ class Embedding {
   using Pool = std::variant<ColumnOf<std::uint8_t>, ColumnOf<std::int64_t>, ColumnOf<double>, ColumnOf<Vec2>,
                             ColumnOf<Vec3>, ColumnOf<Point2>, ColumnOf<Point3>, ColumnOf<Color>>;
   template <class T>
-  static constexpr bool is_pooled = std::is_constructible_v<Pool, std::in_place_type_t<ColumnOf<T>>>;
+  static constexpr bool is_pooled = std::is_constructible_v<Pool, std::in_place_type_t<PoolValues<T>>>;
 
   // Of the embedding, const or not. A type from outside may be another name of a type of the language.
   template <class T, class Self>
   static auto& values_of(Self& self) {
     if constexpr (is_pooled<T>) {
-      if (!self.extern_pool_) return std::get<ColumnOf<T>>(self.pool_);
+      if (!self.extern_pool_) return std::get<PoolValues<T>>(self.pool_);
     }
     auto& pool = *self.extern_pool_;
     return static_cast<std::conditional_t<std::is_const_v<Self>, PoolOf<T> const, PoolOf<T>>&>(pool).values;

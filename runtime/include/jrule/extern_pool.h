@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "jrule/memory.h"
+#include "jrule/column.h"
 
 namespace jrule {
 
@@ -21,10 +21,14 @@ inline constexpr Handle no_handle = 0xffffffffU;
 template <class T>
 using Stored = std::conditional_t<std::is_same_v<T, bool>, std::uint8_t, T>;
 
+/// The values of an embedding.
+template <class T>
+using PoolValues = std::conditional_t<std::is_trivially_copyable_v<T>, ColumnOf<T>, std::vector<T>>;
+
 /// Moves each value to its new number, which is no greater than its old one and ascends with it; drops those whose
 /// number is no_handle. O(values), in place: a value is moved at most once.
-template <class T>
-void keep_numbered(ColumnOf<T>& values, std::span<Handle const> numbers) noexcept {
+template <class Values>
+void keep_numbered(Values& values, std::span<Handle const> numbers) noexcept {
   std::size_t kept = 0;
   for (std::size_t h = 0; h < values.size(); ++h) {
     if (numbers[h] == no_handle) continue;
@@ -58,7 +62,7 @@ class PoolOf final : public ExternPool {
   static_assert(std::is_nothrow_move_constructible_v<T>, "moving a value of an `extern type` must not throw");
 
  public:
-  ColumnOf<T> values;
+  PoolValues<T> values;
 
   std::unique_ptr<ExternPool> clone() const override { return std::make_unique<PoolOf>(*this); }
   std::size_t size() const noexcept override { return values.size(); }

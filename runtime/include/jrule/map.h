@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "jrule/embedding.h"
-#include "jrule/memory.h"
+#include "jrule/column.h"
 #include "jrule/model.h"
 #include "jrule/parallel.h"
 #include "jrule/result.h"

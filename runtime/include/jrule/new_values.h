@@ -53,7 +53,7 @@ std::optional<ColumnOf<Index>> firsts_of_range(Orbits const& orbits, Handle* han
     if (*is_first) list[count++] = list[i];
   }
   // As short as it is: of all ranges together, few of the indices are first.
-  return ColumnOf<Index>(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count));
+  return ColumnOf<Index>(list.begin(), list.begin() + count);
 }
 
 /// The smallest indices of all orbits, by ranges of the pattern.

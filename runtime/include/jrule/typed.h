@@ -23,7 +23,7 @@ using Read = std::conditional_t<std::is_constructible_v<Value, std::in_place_typ
 
 /// Adds a value to the pool of an embedding; strong guarantee.
 template <class T>
-Handle add(ColumnOf<Stored<T>>& pool, T value) {
+Handle add(PoolValues<Stored<T>>& pool, T value) {
   std::size_t const handle = pool.size();
   if (handle >= no_handle - 1) throw std::length_error("too many values");
   pool.push_back(std::move(value));
@@ -50,7 +50,7 @@ class Values {
 
  private:
   Handle const* handles_;
-  ColumnOf<Stored<T>> const& pool_;
+  PoolValues<Stored<T>> const& pool_;
 };
 
 /// The list of the values of `element` at the darts of a walk.
@@ -154,7 +154,7 @@ class NewValues {
     // As adding one after the other doubles it: what is added next may find room.
     std::size_t capacity = std::max<std::size_t>(pool_.capacity(), 1);
     while (capacity < size) capacity *= 2;
-    jrule::reserve(pool_, capacity, threads);
+    pool_.reserve(capacity, threads);
     pool_.resize(size);
     return static_cast<Handle>(first);
   }
@@ -163,7 +163,7 @@ class NewValues {
 
  private:
   Embedding& embedding_;
-  ColumnOf<Stored<T>>& pool_;
+  PoolValues<Stored<T>>& pool_;
   std::size_t base_;
   bool kept_ = false;
 };
@@ -181,7 +181,7 @@ void set_extern_value(Map& map, std::size_t embedding, Dart d, T value, Workspac
 /// For ExternParts::add_merged: the values merged two at a time, `merge(merge(a, b), c)`, and all at once, `merge({a, b, c})`.
 template <class T, class Merge>
 Handle add_folded(Embedding& embedding, std::span<Handle const> parts, Merge merge) {
-  ColumnOf<Stored<T>> const& pool = embedding.values<Stored<T>>();
+  PoolValues<Stored<T>> const& pool = embedding.values<Stored<T>>();
   std::optional<T> merged(static_cast<T>(pool[parts[0]]));  // optional: T need not be assignable
   for (Handle const part : parts.subspan(1)) {
     T next = merge(std::as_const(*merged), static_cast<Read<T>>(pool[part]));
@@ -191,7 +191,7 @@ Handle add_folded(Embedding& embedding, std::span<Handle const> parts, Merge mer
 }
 template <class T, class Merge>
 Handle add_merged_list(Embedding& embedding, std::span<Handle const> parts, Merge merge) {
-  ColumnOf<Stored<T>> const& pool = embedding.values<Stored<T>>();
+  PoolValues<Stored<T>> const& pool = embedding.values<Stored<T>>();
   std::vector<Stored<T>> list;
   list.reserve(parts.size());
   for (Handle const part : parts) list.push_back(pool[part]);

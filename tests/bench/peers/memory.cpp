@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "jrule/memory.h"
+#include "jrule/column.h"
 #include "tests/bench/peers/contest.h"
 
 namespace jrule::bench {
