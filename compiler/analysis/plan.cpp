@@ -94,6 +94,18 @@ struct Planner {
 
 }  // namespace
 
+OrbitComponent::Member const* joined_to(ir::RuleScheme const& rule, OrbitComponent const& component) {
+  EmbeddingSpec const& spec = rule.modeler->embeddings[component.embedding];
+  auto const is_letter = [](Word const& word) { return word.size() == 1; };
+  if (component.kind != OrbitComponent::Kind::merge || spec.merge != MergePolicy::first) return nullptr;
+  if (!std::all_of(spec.orbit.words.begin(), spec.orbit.words.end(), is_letter)) return nullptr;
+  OrbitComponent::Member const* first = nullptr;
+  for (auto const& member : component.members) {
+    if (!rule.nodes[member.node].added() && (first == nullptr || member.node < first->node)) first = &member;
+  }
+  return first;
+}
+
 Plan plan_application(ir::RuleScheme const& rule) { return Planner{rule}.run(); }
 
 }  // namespace jrule::analysis

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
+#include <iterator>
 #include <new>
 #include <utility>
 
@@ -222,10 +224,48 @@ void PatternOrbits::fill(Index* numbers, Index k, Index number) const noexcept {
   }
 }
 
+namespace {
+
+/// The map's columns that lead to the neighbours of a dart in its orbit.
+class Neighbours {
+ public:
+  /// None if the orbit has words of several letters: these lead through darts that are not of it.
+  Neighbours(Map const& map, OrbitType const& type) noexcept {
+    bool const are_columns = type.words.size() <= std::size(columns_) / 2 &&
+                             std::all_of(type.words.begin(), type.words.end(), [](Word const& word) { return word.size() == 1; });
+    if (!are_columns) return;
+    for (Word const& word : type.words) {
+      int const d = word.front().dimension;
+      columns_[count_++] = map.targets(d).data();
+      if (map.model().is_oriented(d)) columns_[count_++] = map.sources(d).data();
+      // As the words lead: what an orbit's darts are met in is seen by those who merge their values.
+      if (map.model().is_oriented(d) && word.front().conjugate) std::swap(columns_[count_ - 1], columns_[count_ - 2]);
+    }
+  }
+  bool empty() const noexcept { return count_ == 0; }
+  Dart const* const* begin() const noexcept { return columns_; }
+  Dart const* const* end() const noexcept { return columns_ + count_; }
+
+ private:
+  Dart const* columns_[2 * (max_dimension + 1)];
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
 std::span<Dart const> collect_orbit(Map const& map, OrbitType const& type, Dart d, Workspace& workspace) noexcept {
   std::vector<Dart>& queue = workspace.queue();
   if (!workspace.mark(d, 0)) return {};
   queue.push_back(d);
+  if (Neighbours const neighbours(map, type); !neighbours.empty()) {
+    for (std::size_t next = 0; next < queue.size(); ++next) {
+      Dart const at = queue[next];
+      for (Dart const* const column : neighbours) {
+        if (workspace.mark(column[at], 0)) queue.push_back(column[at]);
+      }
+    }
+    return queue;
+  }
   for (std::size_t next = 0; next < queue.size(); ++next) {
     Dart const at = queue[next];
     for (Word const& word : type.words) {
@@ -264,6 +304,23 @@ void merge_orbit(Map& map, std::size_t embedding, Dart d, Workspace& workspace) 
   bool const is_known = parts.size() == 1 || e.spec().merge == MergePolicy::first;
   Handle const value = is_known ? parts.front() : e.add(e.merge(parts));
   for (Dart const member : members) e.set_handle(member, value);
+}
+
+void detail::spread(Map& map, std::size_t embedding, Dart d, Handle value, Workspace& workspace) noexcept {
+  Embedding& e = map.embedding(embedding);
+  Neighbours const neighbours(map, e.spec().orbit);
+  assert(!neighbours.empty() || e.spec().orbit.words.empty());
+  std::vector<Dart>& queue = workspace.queue();
+  auto const join = [&](Dart at) {
+    if (e.handle(at) == value) return;
+    e.set_handle(at, value);
+    queue.push_back(at);
+  };
+  join(d);
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    Dart const at = queue[next];
+    for (Dart const* const column : neighbours) join(column[at]);
+  }
 }
 
 void drop_unused_values(Map& map, Workspace& workspace, Threads threads) noexcept {

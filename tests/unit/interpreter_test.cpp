@@ -1,6 +1,9 @@
 // Applications: values survive splits and merges, also beyond the matched part; a refusal leaves the map as it was.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+
 #include "compiler/backend/interpreter/interpreter.h"
 #include "jrule/io.h"
 #include "tests/unit/polygons.h"
@@ -41,6 +44,44 @@ TEST(Interpreter, MergedOrbitsGetTheirMean) {
   EXPECT_EQ(real_at(map, 1), 2.5);
   EXPECT_EQ(real_at(map, 8), 2.5);
   EXPECT_EQ(real_at(map, 3), 2);
+}
+
+std::string const first_weight = "modeler S on gmap(2) { embedding w : vertex -> Real { merge first; } }\n";
+
+TEST(Interpreter, TheFirstOfMergedValuesIsThatOfTheNodeThatComesFirst) {
+  std::string const arcs = "hook a <0>; hook b <0>; a -2- a; b -2- b;";
+  Applier sew(first_weight + "rule sew on S { left { " + arcs + " } right { a; b; a -2- b; } }");
+  Map map = sew.polygons({3, 3, 3});
+  ASSERT_TRUE(sew.at(map, {0, 6}));
+  ASSERT_TRUE(sew.at(map, {8, 12}));
+  EXPECT_FALSE(find_violation(map));
+  for (Dart const d : {0U, 5U, 6U, 11U}) EXPECT_EQ(real_at(map, d), 0);
+  for (Dart const d : {1U, 2U, 7U, 8U, 12U, 17U}) EXPECT_EQ(real_at(map, d), 1);
+  for (Dart const d : {9U, 10U, 13U, 14U}) EXPECT_EQ(real_at(map, d), 5);
+  EXPECT_EQ(map.embedding(0).value_count(), 9U) << "no value is new";
+}
+
+// The edges of polygons are glued at random: the ends of an edge may be one vertex already, or become one by way of others.
+TEST(Interpreter, MergedOrbitsHaveOneValueHoweverTheyMeet) {
+  Applier sew(first_weight + "rule sew on S { left { hook a <0>; hook b <0>; a -2- a; b -2- b; } right { a; b; a -2- b; } }");
+  std::mt19937 random(7);
+  int met = 0;
+  for (int round = 0; round < 300; ++round) {
+    Map map = sew.polygons({2 + static_cast<std::uint32_t>(random() % 3), 3, 1 + static_cast<std::uint32_t>(random() % 4)});
+    for (int step = 0; step < 12; ++step) {
+      Dart const a = static_cast<Dart>(random() % map.dart_limit()), b = static_cast<Dart>(random() % map.dart_limit());
+      double const kept = real_at(map, a);
+      if (!sew.at(map, {a, b})) continue;
+      ASSERT_FALSE(find_violation(map));
+      std::vector<Dart> const vertex = orbit(map, map.embedding(0).spec().orbit, a);
+      bool const both_ends = std::find(vertex.begin(), vertex.end(), map.target(a, 0)) != vertex.end();
+      met += both_ends;
+      if (!both_ends) {
+        ASSERT_EQ(real_at(map, a), kept);
+      }
+    }
+  }
+  EXPECT_GT(met, 20);
 }
 
 TEST(Interpreter, SplitOrbitsKeepTheirValue) {

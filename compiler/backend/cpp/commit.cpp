@@ -53,7 +53,8 @@ void write_reserve(Writer& out, Function const& f) {
   for (std::size_t e = 0; e < f.embeddings.size(); ++e) {
     std::size_t merges = 0;
     for (auto const& component : f.plan.orbits) {
-      if (component.embedding == e && component.kind == Kind::merge && !f.merges_on_trial(e)) ++merges;
+      bool const adds = component.kind == Kind::merge && f.spec(e).merge != MergePolicy::first && !f.merges_on_trial(e);
+      if (component.embedding == e && adds) ++merges;
     }
     if (merges != 0) out.line("{}.reserve_values({});", f.embeddings[e], times(merges, f));
   }
@@ -270,9 +271,25 @@ std::vector<Stream> handle_streams(Function const& f, std::size_t c) {
   return streams;
 }
 
+// Those of a component whose members take over the value of one.
+void write_join(Writer& out, Function const& f, analysis::OrbitComponent const& component, analysis::OrbitComponent::Member const& to) {
+  std::string const first = f.first(component), value = f.local("joined");
+  std::string const k = first.empty() ? f.index : fmt::format("{}[{}]", first, f.index);
+  std::string const at = to.path.empty() ? k : fmt::format("{}[{}]", f.columns.at(to.path), k);
+  out.open("{} {{", f.loop());
+  out.line("jrule::Handle const {} = {}.embedding({}).handle({});", value, f.map, component.embedding,
+           f.form == Form::dense ? at : fmt::format("{}[{}]", f.darts[to.node], at));
+  for (auto const& member : component.members) {
+    if (&member == &to && first.empty()) continue;  // its own
+    out.line("jrule::rewrite::join_orbit({}, {}, {}, {}, {});", f.map, component.embedding, f.dart(member.node, member.path), value, f.workspace);
+  }
+  out.close();
+}
+
 // Those of a component whose orbits are walked.
 void write_walk(Writer& out, Function const& f, std::size_t c) {
   auto const& component = f.plan.orbits[c];
+  if (auto const* const to = analysis::joined_to(f.rule, component)) return write_join(out, f, component, *to);
   bool const assigns = component.kind == Kind::assign;
   out.open("{} {{", f.loop());
   out.line("{}jrule::rewrite::{}_orbit({}, {}, {}, {}{});", if_first(f, component), assigns ? "assign" : "merge", f.map, component.embedding,
@@ -338,7 +355,7 @@ void write_walks(Writer& out, Function const& f) {
       continue;
     }
     // The marks remember which orbits have their value: two components may meet beyond the pattern.
-    if (new_group) out.line("{}.clear_marks();", f.workspace);
+    if (new_group && analysis::joined_to(f.rule, component) == nullptr) out.line("{}.clear_marks();", f.workspace);
     write_walk(out, f, c);
   }
 }

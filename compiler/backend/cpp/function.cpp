@@ -42,7 +42,7 @@ Function::Function(Rule const& accepted, source::Sources const& files, PublicNam
   index = scope.take("k");
   for (char const* name :
        {"at", "to", "expected", "u", "added", "matches", "twice", "commit", "orbit", "applied", "trial", "all", "line", "refused", "number",
-        "i", "kept", "begin", "end", "type", "from"})
+        "i", "kept", "begin", "end", "type", "from", "joined"})
     locals[name] = scope.take(name);
   locals["listed"] = scope.take("rewrite_" + names.function);
   locals["dense"] = scope.take("rewrite_all_" + names.function);
@@ -146,7 +146,7 @@ void Function::name_columns() {
   for (auto const& check : plan.checks) add(check.word);
   for (ir::Arc const& arc : plan.writes) add(arc.word);
   for (auto const& component : plan.orbits) {
-    if (component.kind == Kind::fresh || component.kind == Kind::assign) {
+    if (component.kind == Kind::fresh || component.kind == Kind::assign || analysis::joined_to(rule, component) != nullptr) {
       for (auto const& member : component.members) add(member.path);
     }
     for (Word const& generator : visited_orbits(component)) add(generator);
@@ -252,6 +252,11 @@ void Function::order_writes() {
     for (ColumnOfMap const& column : overwrites(*arc)) {
       if (column.second && reads(*arc, column)) copied.insert(arc->word);
     }
+  }
+  // Values are joined when all arcs are there.
+  for (auto const& component : plan.orbits) {
+    if (analysis::joined_to(rule, component) == nullptr) continue;
+    for (auto const& member : component.members) copied.insert(member.path);
   }
   std::vector<ir::Arc const*> waiting = std::exchange(writes, {});
   while (!waiting.empty()) {

@@ -335,10 +335,22 @@ struct Application {
         }
         return;
       case Kind::merge:
+        if (auto const* const to = analysis::joined_to(rule, component)) return join(s, *to, copies);
         for (Index k = 0; k < size(); ++k) {
           if (s.orbit[k] == k) rewrite::merge_orbit(map, component.embedding, root[k], workspace);
         }
         return;
+    }
+  }
+
+  void join(StagedOrbits const& s, analysis::OrbitComponent::Member const& to, std::vector<std::vector<Dart>> const& copies) noexcept {
+    std::size_t const e = s.component->embedding;
+    Column const& there = columns.find(to.path)->second;
+    for (Index k = 0; k < size(); ++k) {
+      Handle const value = map.embedding(e).handle(copies[to.node][there[s.orbit[k]]]);
+      for (auto const& member : s.component->members) {
+        rewrite::join_orbit(map, e, copies[member.node][columns.find(member.path)->second[k]], value, workspace);
+      }
     }
   }
 };

@@ -146,6 +146,15 @@ void assign_orbit(Map& map, std::size_t embedding, Dart d, Handle value, Workspa
 /// embedding's policy, which is not MergePolicy::function (see trial.h). `reserve_values` must have made room for one value.
 void merge_orbit(Map& map, std::size_t embedding, Dart d, Workspace& workspace) noexcept;
 
+namespace detail {
+void spread(Map& map, std::size_t embedding, Dart d, Handle value, Workspace& workspace) noexcept;
+}
+/// Commit: the same by MergePolicy::first for orbits of single letters, one of their darts in the pattern after the other: where `d`
+/// does not have the value yet, what is around it takes that over, as far as other values reach. O(1) where nothing merges.
+inline void join_orbit(Map& map, std::size_t embedding, Dart d, Handle value, Workspace& workspace) noexcept {
+  if (map.embedding(embedding).handle(d) != value) detail::spread(map, embedding, d, value, workspace);
+}
+
 /// The values that these darts have, each once, in the order of the darts. Is there nothing to merge: no value at all, or
 /// one that every dart has? `parts` must have room for them.
 bool collect_values(Embedding const& embedding, std::span<Dart const> darts, std::vector<Handle>& parts) noexcept;
