@@ -89,7 +89,7 @@ void enter_generated_solid(Contest& contest) {
   contest.enter(
       ours, 4, Work::triangulate_block, prepare(true),
       [](Solid& s) -> Solid& {
-        expect(solid::triangulate_faces(s, 0));
+        expect(solid::triangulate_faces_everywhere(s));
         return s;
       },
       counted);

@@ -19,9 +19,10 @@ void enter_copy(Contest& contest) {
     ColumnOf<char> to;
     std::size_t result;
   };
-  // Copying n bytes reads n and writes n. A large result lies in pages that are new, for every contender: so do its bytes here.
+  // Copying n bytes reads n and writes n. A large result, if there is any, lies in pages that are new, for every contender: so do
+  // its bytes here.
   auto const buffers = [](Row const& row) {
-    return Buffers{std::vector<char>(row.bytes / 2, 'x'), row.large ? ColumnOf<char>() : ColumnOf<char>(row.bytes / 2, 'y'), row.result_bytes};
+    return Buffers{std::vector<char>(row.bytes / 2, 'x'), row.large && row.result_bytes != 0 ? ColumnOf<char>() : ColumnOf<char>(row.bytes / 2, 'y'), row.result_bytes};
   };
   auto const copy = [](Buffers& b) -> Buffers& {
     if (b.to.empty()) b.to.resize(b.result);

@@ -87,13 +87,17 @@ Row block_row(Work work) {
   std::size_t const unrefined = size(row.darts_per_gmap, 4, values);
   row.cells = {(n + 1) * (n + 1) * (n + 1), 3 * n * (n + 1) * (n + 1), faces, hexahedra};
   row.bytes = unrefined;  // written by build, read by check
-  if (work == Work::build_block) row.cells = {8 * hexahedra, 12 * hexahedra, 6 * hexahedra, hexahedra};
+  if (work == Work::build_block) {
+    row.cells = {8 * hexahedra, 12 * hexahedra, 6 * hexahedra, hexahedra};
+    row.result_bytes = row.bytes;
+  }
   // The 3-arcs and handles of the darts that are glued, read and written.
   if (work == Work::sew_block) row.bytes = 2 * (arc + handle) * 2 * 8 * 3 * n * n * (n - 1);
   if (work == Work::triangulate_block) {
     row.cells = {row.cells[0] + faces, row.cells[1] + 4 * faces, 4 * faces, hexahedra};
     row.darts_per_gmap *= 3;
-    row.bytes = unrefined + size(row.darts_per_gmap, 4, row.cells[0]);
+    row.result_bytes = size(row.darts_per_gmap, 4, row.cells[0]);
+    row.bytes = unrefined + row.result_bytes;
   }
   return row;
 }
