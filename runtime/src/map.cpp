@@ -45,15 +45,32 @@ std::vector<Dart> Map::darts() const {
 }
 
 std::size_t Map::reserve_darts(std::size_t count, Threads threads) {
+  FormerTargets former;
+  return reserve_darts(count, threads, {}, former);
+}
+
+std::size_t Map::reserve_darts(std::size_t count, Threads threads, std::span<int const> overwritten, FormerTargets& former) {
   if (count > most_darts - limit_) throw std::length_error("a map has at most 2^32 - 2 darts");
   std::size_t const limit = limit_ + count;
   std::size_t capacity = columns_[0].targets.capacity();
   if (limit > capacity) capacity = std::max(limit, 2 * capacity);
   for (std::size_t k = 0; k < columns_.size(); ++k) {
-    columns_[k].targets.reserve(capacity, threads);
+    bool const is_kept = std::find(overwritten.begin(), overwritten.end(), model_.dimensions[k]) == overwritten.end();
+    if (is_kept || columns_[k].targets.grows_without_copy(capacity)) {
+      columns_[k].targets.reserve(capacity, threads);
+    } else {
+      former[static_cast<std::size_t>(model_.dimensions[k])].reserve(capacity);
+    }
     if (model_.is_oriented(model_.dimensions[k])) columns_[k].sources.reserve(capacity, threads);
   }
   for (Embedding& e : embeddings_) e.reserve(capacity, threads);
+  // Nothing fails any more.
+  for (int const d : overwritten) {
+    ColumnOf<Dart>& grown = former[static_cast<std::size_t>(d)];
+    if (grown.capacity() == 0) continue;
+    grown.resize(limit_);
+    grown.swap(columns_[index_[d]].targets);
+  }
   return limit;
 }
 
@@ -93,7 +110,12 @@ void Map::add_darts(std::span<Dart> added) {
 }
 
 Dart Map::append_darts(std::size_t count, Threads threads) {
-  std::size_t const limit = reserve_darts(count, threads);
+  FormerTargets former;
+  return append_darts(count, threads, {}, former);
+}
+
+Dart Map::append_darts(std::size_t count, Threads threads, std::span<int const> overwritten, FormerTargets& former) {
+  std::size_t const limit = reserve_darts(count, threads, overwritten, former);
   for (std::size_t k = 0; k < columns_.size(); ++k) {
     columns_[k].targets.resize(limit);
     if (model_.is_oriented(model_.dimensions[k])) columns_[k].sources.resize(limit);

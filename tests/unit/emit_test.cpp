@@ -286,12 +286,16 @@ rule quad on M {
 )").code;
   expect_contains(code, "  if (!map.has_erased_darts() && rewrite_all_quad(m, threads)) return {};\n");
   expect_contains(code, R"cpp(
-  std::size_t const added_b = map.append_darts(std::size_t{3} * n, threads);
+  jrule::Map::FormerTargets former;
+  int const overwritten[] = {2};
+  std::size_t const added_b = map.append_darts(std::size_t{3} * n, threads, overwritten, former);
   std::size_t const added_c = added_b + n;
 )cpp");
   std::size_t const in_place = code.find("static bool rewrite_all_quad");
   std::string const dense = code.substr(in_place, code.find("return true;", in_place) - in_place);
   expect_contains(dense, "jrule::rewrite::Index const* at_1 = map.targets(1).data();\n");
+  expect_contains(dense, "  at_1 = map.targets(1).data();\n");
+  expect_contains(dense, "  at_2 = map.targets(2, former).data();\n");
   expect_contains(dense, R"cpp(
       // shapes.jrule:6: b -1[1]-> a
       for (std::size_t k = begin; k < end; ++k) {

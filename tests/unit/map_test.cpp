@@ -132,6 +132,34 @@ TEST(Map, ErasedIndicesAreReusedSmallestFirst) {
   }
 }
 
+TEST(Map, WhatIsOverwrittenIsNotCopiedToNewMemory) {
+  Map map = gmap_surface({{0, 1, 2}, {0, 2, 1}});
+  std::vector<std::vector<Dart>> before;
+  for (int const i : {0, 1, 2}) before.emplace_back(map.targets(i).begin(), map.targets(i).end());
+  auto const arcs = [&](std::span<Dart const> targets) { return std::vector<Dart>(targets.begin(), targets.begin() + 12); };
+  int const overwritten[] = {0, 2};
+  // First there is no room for more, then there is.
+  for (bool const moves : {true, false}) {
+    Map::FormerTargets former;
+    Dart const* const memory[] = {map.targets(0).data(), map.targets(1).data(), map.targets(2).data()};
+    EXPECT_EQ(map.append_darts(moves ? 100 : 1, {}, overwritten, former), moves ? 12U : 112U);
+    for (int const i : {0, 1, 2}) {
+      auto const d = static_cast<std::size_t>(i);
+      EXPECT_EQ(arcs(map.targets(i, former)), before[d]);
+      EXPECT_EQ(map.targets(i, former).data() == memory[d], !moves || i != 1);
+      EXPECT_EQ(map.targets(i).data() == memory[d], !moves);
+    }
+    EXPECT_EQ(arcs(map.targets(1)), before[1]);
+    for (int const i : overwritten) std::copy(before[static_cast<std::size_t>(i)].begin(), before[static_cast<std::size_t>(i)].end(), map.arcs(i));
+    for (int const i : {0, 1, 2}) {
+      for (Dart d = 12; d < map.dart_limit(); ++d) map.link(d, i, d);
+    }
+    EXPECT_EQ(map.dart_limit(), moves ? 112U : 113U);
+    EXPECT_FALSE(find_violation(map));
+    if (moves) map.reserve(1, 0);
+  }
+}
+
 TEST(Map, TooManyDartsLeaveItAsItWas) {
   Map map = gmap_surface(square);
   map.erase(3);

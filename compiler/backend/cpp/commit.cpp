@@ -68,13 +68,31 @@ void write_reserve(Writer& out, Function const& f) {
   }
 }
 
+// Of a map whose darts are all matched: the dimensions whose arcs are all written. Oriented ones have two columns, of which one may stay.
+std::vector<int> overwritten_dimensions(Function const& f) {
+  std::vector<int> dimensions;
+  if (f.form != Form::dense || f.plan.added.empty()) return dimensions;
+  for (ir::Arc const& arc : f.plan.writes) {
+    if (!f.node(arc.source).added() && !f.rule.model().is_oriented(arc.dimension)) dimensions.push_back(arc.dimension);
+  }
+  std::sort(dimensions.begin(), dimensions.end());
+  return dimensions;
+}
+
 // The added nodes' darts: those of one node follow on those of the one before.
 void write_additions(Writer& out, Function const& f) {
   if (f.plan.added.empty()) return;
   std::string const count = times(f.plan.added.size(), f);
   std::string first;
   if (f.form == Form::dense) {
-    first = fmt::format("{}.append_darts({}, {})", f.map, count, f.threads);
+    auto const overwritten = overwritten_dimensions(f);
+    std::string former;
+    if (!overwritten.empty()) {
+      out.line("jrule::Map::FormerTargets {};", f.local("former"));
+      out.line("int const {}[] = {{{}}};", f.local("overwritten"), fmt::join(overwritten, ", "));
+      former = fmt::format(", {}, {}", f.local("overwritten"), f.local("former"));
+    }
+    first = fmt::format("{}.append_darts({}, {}{})", f.map, count, f.threads, former);
   } else if (f.merges_on_trial()) {
     first = fmt::format("{}.add_darts({}).data()", f.local("trial"), count);
   } else {
@@ -118,9 +136,13 @@ void write_views_of_map(Writer& out, Function const& f) {
 // The map's own columns have moved if darts were added.
 void write_aliases_again(Writer& out, Function const& f) {
   if (f.form != Form::dense || f.plan.added.empty()) return;
+  auto const overwritten = overwritten_dimensions(f);
   for (auto const& [word, name] : f.columns) {
     if (!f.is_aliased(word)) continue;
-    out.line("{} = {}.{}({}).data();", name, f.map, word.front().conjugate ? "sources" : "targets", word.front().dimension);
+    Letter const letter = word.front();
+    bool const is_former = std::binary_search(overwritten.begin(), overwritten.end(), letter.dimension);
+    out.line("{} = {}.{}({}{}).data();", name, f.map, letter.conjugate ? "sources" : "targets", letter.dimension,
+             is_former ? ", " + f.local("former") : "");
   }
 }
 

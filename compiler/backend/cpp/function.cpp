@@ -42,7 +42,7 @@ Function::Function(Rule const& accepted, source::Sources const& files, PublicNam
   index = scope.take("k");
   for (char const* name :
        {"at", "to", "expected", "u", "added", "matches", "twice", "commit", "orbit", "applied", "trial", "all", "line", "refused", "number",
-        "i", "kept", "begin", "end", "type", "from", "joined"})
+        "i", "kept", "begin", "end", "type", "from", "joined", "former", "overwritten"})
     locals[name] = scope.take(name);
   locals["listed"] = scope.take("rewrite_" + names.function);
   locals["dense"] = scope.take("rewrite_all_" + names.function);

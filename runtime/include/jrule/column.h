@@ -72,6 +72,10 @@ class ColumnOf {
     }
     capacity_ = capacity;
   }
+  /// Would reserve() leave the elements where they are, or move their pages?
+  bool grows_without_copy(std::size_t capacity) const noexcept {
+    return capacity <= capacity_ || memory::has_own_pages(bytes(capacity_));
+  }
   /// What is added is unset. Needs no memory where there is room, and keeps what there is.
   void resize(std::size_t size) {
     if (size > capacity_) reserve(std::max(size, 2 * capacity_));

@@ -4,6 +4,7 @@
 // reused after it is erased. Everything is in index order, so equal inputs give equal maps.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -71,6 +72,15 @@ class Map {
   /// Appends `count` darts, the first of which it returns, without setting their arcs and handles: the caller sets every one.
   /// Strong guarantee; throws as add_darts().
   Dart append_darts(std::size_t count, Threads threads = {});
+  /// Targets that a map has no more, by dimension; none where its own are still the old ones.
+  using FormerTargets = std::array<ColumnOf<Dart>, max_dimension + 1>;
+  /// The same for callers who also set all arcs of some dimensions that are not oriented: where these get other memory, nothing is
+  /// copied to it, and what was there is left in `former`.
+  Dart append_darts(std::size_t count, Threads threads, std::span<int const> overwritten, FormerTargets& former);
+  std::span<Dart const> targets(int dimension, FormerTargets const& former) const noexcept {
+    auto const& old = former[static_cast<std::size_t>(dimension)];
+    return old.empty() ? targets(dimension) : std::span<Dart const>(old);
+  }
   /// Room for so many further darts, and for so many further values of each embedding: adding them takes no memory. Strong
   /// guarantee; throws as add_darts(). Scratch memory has room of its own: rewrite::Workspace::reserve().
   void reserve(std::size_t darts, std::size_t values);
@@ -107,7 +117,8 @@ class Map {
   std::optional<std::size_t> find_embedding(std::string const& name) const noexcept;
 
  private:
-  // Room for `count` darts more; what dart_limit() will be.
+  // Room for `count` darts more; what dart_limit() will be. As append_darts().
+  std::size_t reserve_darts(std::size_t count, Threads threads, std::span<int const> overwritten, FormerTargets& former);
   std::size_t reserve_darts(std::size_t count, Threads threads);
 
   struct Column {
