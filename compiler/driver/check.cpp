@@ -15,13 +15,10 @@ int write(CounterexampleFiles const& counterexamples) {
   if (counterexamples.files.empty()) return exit_ok;
   std::error_code error;
   std::filesystem::create_directories(counterexamples.directory, error);  // if it fails, writing says so
-  for (auto const& [path, content] : counterexamples.files) {
-    if (auto const written = write_whole_file(path, content); !written) {
-      print_error(written.error());
-      return exit_usage;
-    }
-  }
-  return exit_ok;
+  auto const written = write_whole_files(counterexamples.files);
+  if (written) return exit_ok;
+  print_error(written.error());
+  return exit_usage;
 }
 
 }  // namespace

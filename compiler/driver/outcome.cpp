@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "compiler/backend/draw/draw.h"
 #include "compiler/driver/commands.h"
@@ -21,12 +23,16 @@ int report_error(Error const& error) {
 int write_outcome(Map const& map, OutcomeOptions const& options, std::string const& changed_by, std::string const& headline) {
   // The analysis has proved that this cannot be; the output is checked all the same.
   if (auto const violation = find_violation(map)) throw std::logic_error(fmt::format("{} broke the map: {}", changed_by, violation->text));
+  std::vector<FileText> files;
   if (!options.picture.empty()) {
-    auto const picture = draw::surface_svg(map);
+    auto picture = draw::surface_svg(map);
     if (!picture) return report_error(picture.error());
-    if (auto const written = write_whole_file(options.picture, *picture); !written) return report_error(written.error());
+    files.push_back({options.picture, std::move(*picture)});
   }
-  if (auto const written = write_map(map, options.out); !written) return report_error(written.error());
+  auto text = map_text(map, options.out);
+  if (!text) return report_error(text.error());
+  files.push_back({options.out, std::move(*text)});
+  if (auto const written = write_whole_files(files); !written) return report_error(written.error());
   Summary const summary = summarize(map);
   if (options.stats_json) {
     fmt::print("{}\n", summary_json(summary));

@@ -53,21 +53,18 @@ int write_outputs(EmitOptions const& options, std::vector<std::string> const& so
   }
   fs::create_directories(options.directory, error);
   std::vector<std::string> targets;
+  std::vector<FileText> files;
   for (Output const& output : outputs) {
     std::string const path = (fs::path(options.directory) / output.name).string();
     targets.push_back(fs::path(path).lexically_normal().string());
     if (options.write_if_changed && same_content(path, output.text)) continue;
-    if (auto const written = write_whole_file(path, output.text); !written) {
-      print_error(written.error());
-      return exit_usage;
-    }
+    files.push_back({path, output.text});
   }
   // Last and always: Ninja takes outputs without a depfile for dirty.
-  if (!options.depfile.empty()) {
-    if (auto const written = write_whole_file(options.depfile, depfile_text(targets, sources)); !written) {
-      print_error(written.error());
-      return exit_usage;
-    }
+  if (!options.depfile.empty()) files.push_back({options.depfile, depfile_text(targets, sources)});
+  if (auto const written = write_whole_files(files); !written) {
+    print_error(written.error());
+    return exit_usage;
   }
   return exit_ok;
 }

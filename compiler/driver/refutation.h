@@ -5,16 +5,14 @@
 #include <vector>
 
 #include "compiler/analysis/analyze.h"
+#include "jrule/io.h"
 
 namespace jrule::driver {
 
 /// Where counterexamples are to be written, and what: collected while rules are judged.
 struct CounterexampleFiles {
-  struct File {
-    std::string path, content;
-  };
   std::string directory;
-  std::vector<File> files;
+  std::vector<FileText> files{};
 };
 
 /// Searches a counterexample for a rule that is refused for topology, unless its left side is known to match nothing,

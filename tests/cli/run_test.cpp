@@ -68,6 +68,12 @@ TEST_F(Run, FailsAndWritesNothing) {
   EXPECT_EQ(failed.exit_status, 1);
   EXPECT_EQ(failed.output, "jrule: error: `cone` is not applicable: the 2-arc of `a` has to be a loop, but from dart 2 it leads to dart 11\n");
   EXPECT_EQ(files(), std::vector<std::string>{"solid.jrule"});
+  // Nor the picture, if the mesh cannot be written.
+  for (char const* const out : {"none/house.jmap", "house.xyz", "."}) {
+    Outcome const unwritten = jrule({"run", "solid.jrule:house", "--out", out, "--picture", "house.svg"});
+    EXPECT_EQ(unwritten.exit_status, 2) << unwritten.output;
+    EXPECT_EQ(files(), std::vector<std::string>{"solid.jrule"}) << out;
+  }
 }
 
 TEST_F(Run, ArgumentsAreChecked) {

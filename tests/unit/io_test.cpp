@@ -531,6 +531,24 @@ TEST_F(Io, AFileAppearsWholeOrNotAtAll) {
   EXPECT_EQ(nowhere.error().message, "cannot write the file: No such file or directory");
 }
 
+TEST_F(Io, OfSeveralFilesAllAppearOrNone) {
+  fs::create_directories(path("folder"));
+  spill(path("first"), "old");
+  for (std::string const& refused : {path("folder"), path("none/second")}) {
+    FileText const files_to_write[] = {{path("first"), "new"}, {path("second"), "new"}, {refused, "new"}};
+    auto const written = write_whole_files(files_to_write);
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().file, refused);
+    EXPECT_EQ(slurp(path("first")), "old");
+    EXPECT_EQ(files(), 2U);
+  }
+  FileText const files_to_write[] = {{path("first"), "new"}, {path("second"), ""}};
+  ASSERT_TRUE(write_whole_files(files_to_write));
+  EXPECT_EQ(slurp(path("first")), "new");
+  EXPECT_EQ(slurp(path("second")), "");
+  EXPECT_EQ(files(), 3U);
+}
+
 std::string const not_in_a_surface = "; a surface file cannot hold that, write a .jmap";
 
 TEST_F(Io, MapsThatNoSurfaceFileHolds) {

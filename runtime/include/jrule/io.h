@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,7 +47,15 @@ std::string print_jmap(Map const& map);
 /// triangles. .jmap refuses a map with an embedding of Type::Extern, the others leave it out. Numbers are written so that they read back exactly (.stl: as float).
 Result<void> write_map(Map const& map, std::string const& path);
 
+/// What write_map() writes to a file of that name.
+Result<std::string> map_text(Map const& map, std::string const& path);
+
 /// Writes a file that appears whole or not at all: a temporary file beside it is renamed.
 Result<void> write_whole_file(std::string const& path, std::string const& bytes);
+/// The same with several: where one cannot be written, none appears.
+struct FileText {
+  std::string path, bytes;
+};
+Result<void> write_whole_files(std::span<FileText const> files);
 
 }  // namespace jrule
