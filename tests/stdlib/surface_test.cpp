@@ -1,5 +1,6 @@
 // Editing surfaces: each rule at every place of many shapes, what it adds and takes away, and what it refuses.
 #include <array>
+#include <numbers>
 #include <set>
 
 #include "jrule/typed.h"
@@ -77,6 +78,7 @@ std::vector<Edit> const edits{
     {"lace_face", each_dart, DELTA(n, 3 * n, 2 * n), Edit::On::surfaces},
     {"move_vertex", each_dart, DELTA(0, 0, 0), Edit::On::both, {point}},
     {"translate", each_dart, DELTA(0, 0, 0), Edit::On::both, {shift}},
+    {"rotate", each_dart, DELTA(0, 0, 0), Edit::On::both, {0.5, Vec3{1, 2, 3}, point}},
     {"remove_face", each_dart, DELTA(0, 0, -1), Edit::On::surfaces},
     {"pierce", each_pair, DELTA(0, n, n - 2), Edit::On::both, {}, {}, false},
     {"chamfer_vertex", each_dart, DELTA(m - 1, m, 1), Edit::On::surfaces},
@@ -254,6 +256,14 @@ TEST(Places, AreThoseAskedFor) {
     apply(family("scale"), map, {5}, {2.0, Point3{0, 0, 1}});
     for (Dart const d : map.darts())
       EXPECT_EQ(at(map, d), Point3{} + (2.0 * (at(start, d) - Point3{}) - Vec3{0, 0, 1}));
+    // A quarter turn about a line along the x-axis; the axis may have any length but 0.
+    map = start;
+    apply(family("rotate"), map, {5}, {std::numbers::pi / 2, Vec3{3, 0, 0}, Point3{7, 1, 2}});
+    for (Dart const d : map.darts()) {
+      Point3 const p = at(start, d), expected{p.x, 1 - (p.z - 2), 2 + (p.y - 1)};
+      EXPECT_LT(distance(at(map, d), expected), 1e-12);
+    }
+    EXPECT_NE(refusal(family("rotate"), start, {5}, {1.0, Vec3{}, Point3{}}), "");
   }
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "jrule/typed.h"
@@ -386,6 +387,38 @@ TEST(VolumesOfHalfedges, AreExtrudedOutwards) {
   apply(extrude, map, {0}, {2.0});  // the face x = 0
   for (long long const z : {0, 1}) {
     for (long long const y : {0, 1}) EXPECT_TRUE(places(map, 1).contains({-2, y, z}));
+  }
+}
+
+// ---- Places ----
+
+TEST(PlacesOfSolids, AreThoseAskedFor) {
+  for (bool const halfedges : {false, true}) {
+    auto const named = [&](std::string const& name) -> Module::Rule const& {
+      return halfedges ? halfedge_rule(name + "_solid") : rule(name + "_solid");
+    };
+    Solid const cubes = block(2, 1, 1);
+    Map const start = build(*named("scale").scheme.modeler, halfedges ? with_outside(cubes) : cubes);
+    auto const at = [](Map const& map, Dart d) { return rewrite::Values<Point3>(map.embedding(0))[d]; };
+    auto const moves = [&](std::string const& name, std::vector<Value> const& arguments, auto const& expected) {
+      SCOPED_TRACE(name);
+      Map map = start;
+      apply(named(name), map, {5}, arguments);
+      for (Dart const d : map.darts()) EXPECT_LT(distance(at(map, d), expected(d)), 1e-12);
+      EXPECT_FALSE(find_violation(map));
+    };
+    OrbitType const& vertex = start.embedding(0).spec().orbit;
+    std::vector<Dart> const moved = orbit(start, vertex, 5);
+    moves("move_vertex", {Point3{9, 8, 7}}, [&](Dart d) {
+      return std::find(moved.begin(), moved.end(), d) != moved.end() ? Point3{9, 8, 7} : at(start, d);
+    });
+    moves("translate", {Vec3{0.5, 2, -1}}, [&](Dart d) { return at(start, d) + Vec3{0.5, 2, -1}; });
+    moves("scale", {3.0, Point3{1, 0, 0}}, [&](Dart d) { return Point3{1, 0, 0} + 3.0 * (at(start, d) - Point3{1, 0, 0}); });
+    moves("rotate", {std::numbers::pi, Vec3{0, 0.1, 0}, Point3{1, 5, 1}}, [&](Dart d) {
+      Point3 const p = at(start, d);
+      return Point3{2 - p.x, p.y, 2 - p.z};
+    });
+    EXPECT_NE(refusal(named("rotate"), start, {5}, {1.0, Vec3{}, Point3{}}), "");
   }
 }
 
