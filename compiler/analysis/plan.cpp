@@ -94,10 +94,10 @@ struct Planner {
 
 }  // namespace
 
-OrbitComponent::Member const* joined_to(ir::RuleScheme const& rule, OrbitComponent const& component) {
+OrbitComponent::Member const* compared_with(ir::RuleScheme const& rule, OrbitComponent const& component) {
   EmbeddingSpec const& spec = rule.modeler->embeddings[component.embedding];
   auto const is_letter = [](Word const& word) { return word.size() == 1; };
-  if (component.kind != OrbitComponent::Kind::merge || spec.merge != MergePolicy::first) return nullptr;
+  if (component.kind != OrbitComponent::Kind::merge || spec.merge == MergePolicy::function) return nullptr;
   if (!std::all_of(spec.orbit.words.begin(), spec.orbit.words.end(), is_letter)) return nullptr;
   OrbitComponent::Member const* first = nullptr;
   for (auto const& member : component.members) {

@@ -65,10 +65,11 @@ struct Plan {
   std::vector<OrbitComponent> orbits; ///< those that the application has to touch, by embedding, then kind
 };
 
-/// Of a component that merges by MergePolicy::first in orbits of single letters: the member whose value the others take over, of
-/// those that were there before the first in the rule. Nothing has to be walked then but what takes it over, for every dart of such an orbit hangs on one of
-/// the component's by arcs that have not changed. Null for other components.
-OrbitComponent::Member const* joined_to(ir::RuleScheme const& rule, OrbitComponent const& component);
+/// Of a component that merges orbits of single letters, by a policy of the language: the member whose values the others' are
+/// compared with, of those that were there before the first in the rule. Where all are the same, nothing has to be walked, for every
+/// dart of such an orbit hangs on one of the component's by arcs that have not changed; by MergePolicy::first the others take its
+/// value over. Null for other components.
+OrbitComponent::Member const* compared_with(ir::RuleScheme const& rule, OrbitComponent const& component);
 
 /// The topological part of the plan. The rule must satisfy the incident-arcs condition.
 Plan plan_application(ir::RuleScheme const& rule);

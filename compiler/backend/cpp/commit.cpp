@@ -293,17 +293,23 @@ std::vector<Stream> handle_streams(Function const& f, std::size_t c) {
   return streams;
 }
 
-// Those of a component whose members take over the value of one.
-void write_join(Writer& out, Function const& f, analysis::OrbitComponent const& component, analysis::OrbitComponent::Member const& to) {
-  std::string const first = f.first(component), value = f.local("joined");
+// Those of a component whose members' values are compared with that of one.
+void write_comparison(Writer& out, Function const& f, analysis::OrbitComponent const& component, analysis::OrbitComponent::Member const& to) {
+  std::string const first = f.first(component), value = f.local("compared");
   std::string const k = first.empty() ? f.index : fmt::format("{}[{}]", first, f.index);
   std::string const at = to.path.empty() ? k : fmt::format("{}[{}]", f.columns.at(to.path), k);
+  auto const dart_at = [&](ir::NodeId node, std::string const& index) {
+    if (f.form != Form::dense) return fmt::format("{}[{}]", f.darts[node], index);
+    return f.node(node).added() ? fmt::format("static_cast<jrule::Dart>({} + {})", f.darts[node], index) : index;
+  };
+  bool const by_first = f.spec(component.embedding).merge == MergePolicy::first;
+  std::string const root = by_first ? "" : dart_at(component.members.front().node, k) + ", ";
   out.open("{} {{", f.loop());
-  out.line("jrule::Handle const {} = {}.embedding({}).handle({});", value, f.map, component.embedding,
-           f.form == Form::dense ? at : fmt::format("{}[{}]", f.darts[to.node], at));
+  out.line("jrule::Handle const {} = {}.embedding({}).handle({});", value, f.map, component.embedding, dart_at(to.node, at));
   for (auto const& member : component.members) {
     if (&member == &to && first.empty()) continue;  // its own
-    out.line("jrule::rewrite::join_orbit({}, {}, {}, {}, {});", f.map, component.embedding, f.dart(member.node, member.path), value, f.workspace);
+    out.line("jrule::rewrite::{}({}, {}, {}, {}, {}{});", by_first ? "join_orbit" : "merge_orbit_at", f.map, component.embedding,
+             f.dart(member.node, member.path), value, root, f.workspace);
   }
   out.close();
 }
@@ -311,7 +317,7 @@ void write_join(Writer& out, Function const& f, analysis::OrbitComponent const& 
 // Those of a component whose orbits are walked.
 void write_walk(Writer& out, Function const& f, std::size_t c) {
   auto const& component = f.plan.orbits[c];
-  if (auto const* const to = analysis::joined_to(f.rule, component)) return write_join(out, f, component, *to);
+  if (auto const* const to = analysis::compared_with(f.rule, component)) return write_comparison(out, f, component, *to);
   bool const assigns = component.kind == Kind::assign;
   out.open("{} {{", f.loop());
   out.line("{}jrule::rewrite::{}_orbit({}, {}, {}, {}{});", if_first(f, component), assigns ? "assign" : "merge", f.map, component.embedding,
@@ -377,7 +383,8 @@ void write_walks(Writer& out, Function const& f) {
       continue;
     }
     // The marks remember which orbits have their value: two components may meet beyond the pattern.
-    if (new_group && analysis::joined_to(f.rule, component) == nullptr) out.line("{}.clear_marks();", f.workspace);
+    bool const by_marks = analysis::compared_with(f.rule, component) == nullptr || f.spec(component.embedding).merge != MergePolicy::first;
+    if (new_group && by_marks) out.line("{}.clear_marks();", f.workspace);
     write_walk(out, f, c);
   }
 }

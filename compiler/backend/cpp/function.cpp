@@ -42,7 +42,7 @@ Function::Function(Rule const& accepted, source::Sources const& files, PublicNam
   index = scope.take("k");
   for (char const* name :
        {"at", "to", "expected", "u", "added", "matches", "twice", "commit", "orbit", "applied", "trial", "all", "line", "refused", "number",
-        "i", "kept", "begin", "end", "type", "from", "joined", "former", "overwritten"})
+        "i", "kept", "begin", "end", "type", "from", "compared", "former", "overwritten"})
     locals[name] = scope.take(name);
   locals["listed"] = scope.take("rewrite_" + names.function);
   locals["dense"] = scope.take("rewrite_all_" + names.function);
@@ -146,7 +146,7 @@ void Function::name_columns() {
   for (auto const& check : plan.checks) add(check.word);
   for (ir::Arc const& arc : plan.writes) add(arc.word);
   for (auto const& component : plan.orbits) {
-    if (component.kind == Kind::fresh || component.kind == Kind::assign || analysis::joined_to(rule, component) != nullptr) {
+    if (component.kind == Kind::fresh || component.kind == Kind::assign || analysis::compared_with(rule, component) != nullptr) {
       for (auto const& member : component.members) add(member.path);
     }
     for (Word const& generator : visited_orbits(component)) add(generator);
@@ -253,9 +253,9 @@ void Function::order_writes() {
       if (column.second && reads(*arc, column)) copied.insert(arc->word);
     }
   }
-  // Values are joined when all arcs are there.
+  // Values are compared when all arcs are there.
   for (auto const& component : plan.orbits) {
-    if (analysis::joined_to(rule, component) == nullptr) continue;
+    if (analysis::compared_with(rule, component) == nullptr) continue;
     for (auto const& member : component.members) copied.insert(member.path);
   }
   std::vector<ir::Arc const*> waiting = std::exchange(writes, {});

@@ -335,7 +335,7 @@ struct Application {
         }
         return;
       case Kind::merge:
-        if (auto const* const to = analysis::joined_to(rule, component)) return join(s, *to, copies);
+        if (auto const* const to = analysis::compared_with(rule, component)) return compare_and_merge(s, *to, copies);
         for (Index k = 0; k < size(); ++k) {
           if (s.orbit[k] == k) rewrite::merge_orbit(map, component.embedding, root[k], workspace);
         }
@@ -343,13 +343,20 @@ struct Application {
     }
   }
 
-  void join(StagedOrbits const& s, analysis::OrbitComponent::Member const& to, std::vector<std::vector<Dart>> const& copies) noexcept {
+  void compare_and_merge(StagedOrbits const& s, analysis::OrbitComponent::Member const& to, std::vector<std::vector<Dart>> const& copies) noexcept {
     std::size_t const e = s.component->embedding;
+    bool const by_first = map.embedding(e).spec().merge == MergePolicy::first;
     Column const& there = columns.find(to.path)->second;
+    std::vector<Dart> const& root = copies[s.component->members.front().node];
     for (Index k = 0; k < size(); ++k) {
       Handle const value = map.embedding(e).handle(copies[to.node][there[s.orbit[k]]]);
       for (auto const& member : s.component->members) {
-        rewrite::join_orbit(map, e, copies[member.node][columns.find(member.path)->second[k]], value, workspace);
+        Dart const other = copies[member.node][columns.find(member.path)->second[k]];
+        if (by_first) {
+          rewrite::join_orbit(map, e, other, value, workspace);
+        } else {
+          rewrite::merge_orbit_at(map, e, other, value, root[s.orbit[k]], workspace);
+        }
       }
     }
   }

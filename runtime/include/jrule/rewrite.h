@@ -145,6 +145,10 @@ void assign_orbit(Map& map, std::size_t embedding, Dart d, Handle value, Workspa
 /// Commit: if the orbit of `d` holds several values or darts without one, gives it one: the only value, or the merge by the
 /// embedding's policy, which is not MergePolicy::function (see trial.h). `reserve_values` must have made room for one value.
 void merge_orbit(Map& map, std::size_t embedding, Dart d, Workspace& workspace) noexcept;
+/// The same for the orbit of `d` if a dart of it, `other`, does not have the value.
+inline void merge_orbit_at(Map& map, std::size_t embedding, Dart other, Handle value, Dart d, Workspace& workspace) noexcept {
+  if (map.embedding(embedding).handle(other) != value) merge_orbit(map, embedding, d, workspace);
+}
 
 namespace detail {
 void spread(Map& map, std::size_t embedding, Dart d, Handle value, Workspace& workspace) noexcept;
