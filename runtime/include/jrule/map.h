@@ -58,6 +58,11 @@ class Map {
     for (Letter letter : word) d = step(d, letter);
     return d;
   }
+  /// The dart from which w leads to d. O(|w|).
+  Dart walk_back(Dart d, Word const& word) const noexcept {
+    for (auto letter = word.rbegin(); letter != word.rend(); ++letter) d = step(d, {letter->dimension, !letter->conjugate});
+    return d;
+  }
 
   /// The same to be written, for commits: `arcs(i)[d]` is the target of d's i-arc, and in an oriented dimension
   /// `sources_of_arcs(i)[e]` the source of e's; the caller keeps both consistent. Valid until darts are added.
