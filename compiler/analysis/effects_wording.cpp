@@ -33,9 +33,15 @@ std::string sum_text(OrbitCount const& count) {
   return text;
 }
 
+// Cells of higher dimensions have no letter, so no `expect` clause, but their number may be known.
+std::string counted(std::optional<int> cell) {
+  if (cell && *cell >= static_cast<int>(ir::Count::named_cells)) return fmt::format("{}-cells", *cell);
+  return {ir::count_name(cell)};
+}
+
 std::string count_text(std::optional<int> cell, OrbitCount const& count, OrbitCounter const& counter) {
   constexpr auto condition = "without a border or a folded edge";
-  std::string text = fmt::format("{}' = {}", ir::count_name(cell), sum_text(count));
+  std::string text = fmt::format("{}' = {}", counted(cell), sum_text(count));
   if (count.regular_only) return fmt::format("{}   {}", text, condition);
   // Cells are what a surface is known by, not darts.
   OrbitCount const in_cells{counter.readable(count.count), true, count.others};

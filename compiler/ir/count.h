@@ -45,7 +45,8 @@ struct Count {
   friend Count operator*(Fraction factor, Count const& count);
 };
 
-/// What a count is called: 'V', 'E', 'F', 'C' are cells of dimension 0 to 3, 'D', of no dimension, are darts.
+/// What a count is called: 'V', 'E', 'F', 'C' are cells of dimension 0 to 3, 'D', of no dimension, are darts. Others have no name: throws
+/// std::out_of_range.
 char count_name(std::optional<int> cell);
 /// "V + 2 * E + D / 2", "0": the language's spelling.
 std::string to_string(Count const& count);

@@ -346,6 +346,8 @@ rule fan on gmap(2) {
   Outcome const copy = jrule({"explain", "copy.jrule:copy", "--dimension", "3"});
   EXPECT_EQ(copy.exit_status, 0);
   EXPECT_TRUE(contains(copy.output, "  C' = 2 * C\n")) << copy.output;
+  // Cells of dimension 4 and more have no letter.
+  EXPECT_TRUE(contains(jrule({"explain", "copy.jrule:copy", "--dimension", "5"}).output, "  C' = 2 * C\n  4-cells' = ")) << copy.output;
   Outcome const refused = jrule({"explain", "refused.jrule:refused"});
   EXPECT_EQ(refused.exit_status, 1);
   EXPECT_TRUE(contains(refused.output, "J0305")) << refused.output;

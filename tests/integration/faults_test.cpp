@@ -188,7 +188,7 @@ TEST(LargeFaults, MapsGrow) {
       s.map().reserve(1, 1);
       std::ignore = s.map().append_darts(1);
       for (int const i : {0, 1, 2}) s.map().set_target(s.map().dart_limit() - 1, i, s.map().dart_limit() - 1);
-      for (std::size_t e : {0, 1}) s.map().embedding(e).set_handle(s.map().dart_limit() - 1, 0);
+      for (std::size_t const e : {0U, 1U}) s.map().embedding(e).set_handle(s.map().dart_limit() - 1, 0);
     } catch (std::bad_alloc const&) {
       return tl::unexpected(jrule::rewrite::no_memory("grow"));
     }

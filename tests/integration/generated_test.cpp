@@ -239,10 +239,11 @@ TEST_F(Changes, MergesByEveryPolicy) {
   // A strip, then a ring; the last one is refused: its edges are not free any more.
   std::pair<Dart, Dart> const pairs[] = {{0, 8}, {12, 21}, {16, 24}, {30, 7}, {0, 8}, {1, 1}};
   std::vector<bool> applied;
-  for (auto const& [a, b] : pairs) {
+  for (auto const& pair : pairs) {
+    Dart const a = pair.first, b = pair.second;
     Outcome const expected = interpret(module.rule("sew"), modeler->map(), {a, b}, {});
     EXPECT_EQ(generated<Field>(
-                  modeler->map(), [a = a, b = b](Field& f) { return changes::sew(f, a, b); }, COPIES(c.a, c.b)),
+                  modeler->map(), [a, b](Field& f) { return changes::sew(f, a, b); }, COPIES(c.a, c.b)),
               expected);
     expect_valid(expected);
     applied.push_back(changes::sew(*modeler, a, b).has_value());

@@ -40,7 +40,7 @@ Rule<Class, Call, Columns> rule(std::string name, Call call, Columns columns) {
 #define RULE(CLASS, NAME, ...)                                                       \
   rule<CLASS>(                                                                       \
       #NAME, [](CLASS& m) { return subdivision::NAME(m, m.map().darts().front()); }, \
-      [](auto const& c) { return std::vector<Column>{__VA_ARGS__}; })
+      []([[maybe_unused]] auto const& c) { return std::vector<Column>{__VA_ARGS__}; })
 
 auto const catmull_clark =
     RULE(Mesh, catmull_clark, {Origin::vertex, c.a}, {Origin::edge, c.b}, {Origin::edge, c.c}, {Origin::face, c.d});

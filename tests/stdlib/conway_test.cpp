@@ -250,7 +250,7 @@ void expect_equal(Equation const& equation, Map const& start, Module::Rule const
 }
 
 TEST(Composition, IsAsDefined) {
-  for (std::size_t const solid : {0, 1}) {
+  for (std::size_t const solid : {0U, 1U}) {
     Polygons const& polygons = platonic_solids()[solid].polygons;
     SCOPED_TRACE(platonic_solids()[solid].name);
     for (Equation const& equation : equations) {

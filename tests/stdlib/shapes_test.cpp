@@ -83,7 +83,7 @@ TEST(Shapes, EachWithItsDefaults) {
 
 TEST(Shapes, OfManySides) {
   using Cells = std::vector<std::size_t>;
-  for (std::size_t const n : {3, 4, 5, 8, 13}) {
+  for (std::size_t const n : {3U, 4U, 5U, 8U, 13U}) {
     SCOPED_TRACE(n);
     auto const polygon = shapes().make("polygon", {integer(n), real(2)});
     ASSERT_TRUE(polygon) << polygon.error().message;

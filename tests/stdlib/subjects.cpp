@@ -74,11 +74,11 @@ std::vector<Shape> const& surfaces() {
     for (Shape const& shape : closed_surfaces()) {
       if (shape.name != "bunny") made.push_back(shape);
     }
-    for (std::size_t const n : {3, 5, 6}) made.push_back(prism(n));
-    for (std::size_t const k : {1, 3, 5, 7}) made.push_back(kis(made[k]));
-    for (std::size_t const solid : {0, 1, 2}) made.push_back(with_middles(platonic_solids()[solid]));
+    for (std::size_t const n : {3U, 5U, 6U}) made.push_back(prism(n));
+    for (std::size_t const k : {1U, 3U, 5U, 7U}) made.push_back(kis(made[k]));
+    for (std::size_t const solid : {0U, 1U, 2U}) made.push_back(with_middles(platonic_solids()[solid]));
     made.insert(made.end(), {klein_bottle(4, 3), projective_plane(), grid(3, 2), moebius(5)});
-    for (std::size_t const n : {3, 4, 5, 6, 7}) made.push_back(polygon(n));
+    for (std::size_t const n : {3U, 4U, 5U, 6U, 7U}) made.push_back(polygon(n));
     return made;
   }();
   return all;
@@ -138,7 +138,7 @@ std::vector<Subject> solids_of(ir::Modeler const& modeler) {
   bool const oriented = modeler.model.is_oriented(1);
   std::vector<Solid> all = solids();
   all.pop_back();  // 3 × 3 × 3 cubes
-  for (std::size_t const n : {3, 6}) {
+  for (std::size_t const n : {3U, 6U}) {
     Shape const sides = prism(n);
     all.push_back({sides.name, sides.polygons.points, {sides.polygons.faces}});
     all.push_back(with_outside(all.back()));

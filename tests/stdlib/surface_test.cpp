@@ -91,8 +91,8 @@ std::vector<Shape> shapes(bool closed) {
   for (Shape const& shape : closed_surfaces()) {
     if (shape.name != "bunny") all.push_back(shape);
   }
-  for (std::size_t const k : {1, 3, 5}) all.push_back(kis(all[k]));
-  for (std::size_t const n : {3, 5, 6}) all.push_back(prism(n));
+  for (std::size_t const k : {1U, 3U, 5U}) all.push_back(kis(all[k]));
+  for (std::size_t const n : {3U, 5U, 6U}) all.push_back(prism(n));
   if (!closed) {
     all.push_back(grid(3, 3));
     all.push_back(moebius(5));
@@ -225,7 +225,7 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Undo, testing::Range(std::size_t{0}, shapes(tru
 
 TEST(FlipEdge, TwiceIsTheOtherWayRound) {
   for (Family const family : Undo::families()) {
-    for (std::size_t const solid : {2, 4}) {
+    for (std::size_t const solid : {2U, 4U}) {
       Map const start = build(*family("flip_edge").scheme.modeler, platonic_solids()[solid].polygons);
       Map map = start;
       for (int times = 0; times < 2; ++times) {
@@ -280,7 +280,7 @@ TEST(SewEdges, ClosesWhatUnsewEdgeOpened) {
 }
 
 TEST(Cone, ClosesAFaceThatStandsByItself) {
-  for (std::size_t const n : {3, 4, 7}) {
+  for (std::size_t const n : {3U, 4U, 7U}) {
     Shape const sides = prism(n);
     for (Vertices const& face : sides.polygons.faces) {
       if (face.size() != n) continue;

@@ -245,6 +245,16 @@ static jrule::Dart run_cones(Shape& shape, jrule::operation::Run& run, jrule::Da
 )");
 }
 
+TEST(Emit, AVariableThatIsSetToItselfIsLeftAlone) {
+  Emitted const emitted = emit_module(shapes + R"(
+operation idle(d: Dart, n: Int) on Shape { let m = n; m = m; d = d; }
+)");
+  expect_contains(emitted.code, R"(
+  [[maybe_unused]] std::int64_t m = n;
+}
+)");
+}
+
 TEST(Emit, CodeReadsFromTopToBottom) {
   std::string const code = emit_module(shapes).code;
   expect_contains(code, "#include \"shapes.h\"\n");

@@ -21,6 +21,13 @@ std::string result_type(ir::Operation const& operation) { return operation.resul
 
 bool contains(std::vector<std::size_t> const& list, std::size_t element) { return std::find(list.begin(), list.end(), element) != list.end(); }
 
+// `d = d;`, of which compilers warn, and which does nothing.
+bool sets_to_itself(ir::Set const& s) {
+  auto const* value = std::get_if<ir::ExprPtr>(&s.value);
+  auto const* variable = value ? std::get_if<ir::VariableRef>(&(*value)->value) : nullptr;
+  return variable && variable->index == s.variable;
+}
+
 // One operation: its names, then its text.
 struct Emission {
   Operations const& all;
@@ -59,6 +66,7 @@ struct Emission {
 
   void use(ir::Block const& block) {
     for (ir::Statement const& s : block) {
+      if (auto const* set = std::get_if<ir::Set>(&s.value); set && sets_to_itself(*set)) continue;
       for (ir::ExprPtr const& expr : ir::expressions(s)) use(*expr);
       for (ir::Block const* inner : ir::blocks(s)) use(*inner);
     }
@@ -146,6 +154,7 @@ struct Emission {
   }
 
   void write(ir::Set const& s) {
+    if (sets_to_itself(s)) return;
     step(s.value);
     std::string const &name = names.variables[s.variable], value = origin(s.value);
     if (s.declares) {
