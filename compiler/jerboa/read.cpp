@@ -56,7 +56,11 @@ std::string_view trimmed(std::string_view text) {
 
 /// Entities can stand for what is no text.
 void make_text(std::string& text) {
-  while (auto const fault = syntax::find_text_fault(text)) text[fault->offset] = '?';
+  std::size_t at = 0;
+  while (auto const fault = syntax::find_text_fault(std::string_view(text).substr(at))) {
+    at += fault->offset;
+    text[at] = '?';
+  }
 }
 
 class Reader {
@@ -238,7 +242,7 @@ Arc Reader::read_arc(xml_node element, Side const& side, std::string const& rule
   auto const end = [&](char const* name) {
     Name const node = attribute(element, name);
     bool const known = std::any_of(side.nodes.begin(), side.nodes.end(), [&](Node const& other) { return other.name.text == node.text; });
-    if (!known && !node.text.empty()) {
+    if (!known && !element.attribute(name).empty()) {  // a missing one has been reported
       std::string nodes;
       for (Node const& other : side.nodes) nodes += fmt::format("{}`{}`", nodes.empty() ? "" : ", ", other.name.text);
       report(Code::unknown_arc_end, node.span, fmt::format("an arc of the rule `{}` ends at `{}`, which is no node of that side", rule, node.text),

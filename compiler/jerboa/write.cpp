@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string_view>
 
 #include "compiler/jerboa/names.h"
@@ -166,19 +167,19 @@ std::string Writer::parameters(Rule const& rule, Names& names, Scope& scope) {
 /// Chains, in the order of the arcs, then the loops, those of one dimension in one line.
 std::string Writer::arcs(Side const& side) const {
   std::string text;
-  std::string end;
+  std::optional<std::string> end;  // of the chain that is written; a node's name may be empty
   for (Arc const& arc : side.arcs) {
     if (arc.a == arc.b) continue;
     if (end == arc.a || end == arc.b) {
       end = end == arc.a ? arc.b : arc.a;
-      text += fmt::format(" -{}- {}", arc.dimension, nodes_.at(end));
+      text += fmt::format(" -{}- {}", arc.dimension, nodes_.at(*end));
       continue;
     }
-    if (!end.empty()) text += ";\n";
+    if (end) text += ";\n";
     text += fmt::format("{} -{}- {}", nodes_.at(arc.a), arc.dimension, nodes_.at(arc.b));
     end = arc.b;
   }
-  if (!end.empty()) text += ";\n";
+  if (end) text += ";\n";
   for (int dimension = 0; dimension <= 9; ++dimension) {
     std::string loops;
     for (Arc const& arc : side.arcs) {
